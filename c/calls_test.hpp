@@ -1,4 +1,4 @@
-// Meshes and domains of the tests, and calls of the C interface that look at what comes back.
+// Meshes and domains of the tests, and calls of the C interface that check the results.
 #pragma once
 
 #include <cstdint>

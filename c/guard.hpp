@@ -18,7 +18,7 @@ struct circumspect_document {
 
 namespace circumspect::c {
 
-// Why a call is refused, with the status that comes back.
+// Why a call is refused, with the status that it returns.
 struct Refusal {
   circumspect_status status;
   std::string message;
@@ -27,8 +27,8 @@ struct Refusal {
 [[noreturn]] void refuse_call(const std::string& message);   // CIRCUMSPECT_INVALID_ARGUMENT
 [[noreturn]] void refuse_input(const std::string& message);  // CIRCUMSPECT_INPUT_FAULT
 
-// Throws std::bad_alloc unless there is memory left for a document: nlohmann's destructors allocate, and so
-// end the process if there is none.
+// Throws std::bad_alloc unless there is memory left for a document: nlohmann's destructors
+// allocate, and so end the process if there is none.
 void require_memory_for_json();
 
 // After a catch: the status of what was thrown, its text kept for circumspect_last_error().

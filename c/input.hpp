@@ -17,8 +17,8 @@ namespace circumspect::c {
 
 inline constexpr std::int64_t kLargestDimension = 64;
 
-// a·b, if arrays of so many entries can exist: no machine has addresses of more than 57 bits. Requires: neither is
-// negative.
+// a·b, if arrays of so many entries can exist: no machine has addresses of more than 57 bits.
+// Requires: neither is negative.
 std::size_t product(std::int64_t a, std::int64_t b, const char* what);
 void require_count(std::int64_t count, const char* what);
 void require_dimension(std::int64_t dimension, std::int64_t least, std::int64_t most);

@@ -13,18 +13,18 @@ namespace {
 
 using Ends = std::pair<Point, Point>;
 
-// At right angles to both in space; in the plane the one number that is there instead.
+// The cross product in space; in the plane, the single number that replaces it.
 Point normal_of(const Point& a, const Point& b) {
   return a.size() == 3 ? cross_product(a, b) : Point{a[0] * b[1] - a[1] * b[0]};
 }
 
-// Does p lie inside the segment? Along a line the lexicographic order is that of the points of the line.
+// Does p lie inside the segment? Points of a line are in lexicographic order along it.
 bool lies_inside(const Point& p, const Ends& segment) {
   const auto& [a, b] = segment;
   return a < p && p < b && sign(squared_length(normal_of(b - a, p - a))) == 0;
 }
 
-// The one point that two segments which are not parallel have in common, if they have one.
+// The common point of two segments that are not parallel, if there is one.
 std::optional<Point> common_point(const Ends& s, const Ends& t) {
   const Point along_s = s.second - s.first;
   const Point along_t = t.second - t.first;
@@ -40,10 +40,10 @@ std::optional<Point> common_point(const Ends& s, const Ends& t) {
   return meet ? std::optional(s.first + on_s * along_s) : std::nullopt;
 }
 
-// The vertices of an arrangement, each once.
+// The vertices of an arrangement, without repetition.
 class Vertices {
  public:
-  // False: it was there.
+  // False: it was already there.
   bool add(const Point& point) {
     const bool is_new = place_of_.emplace(point, static_cast<Vertex>(points_.size())).second;
     if (is_new) points_.push_back(point);
@@ -52,7 +52,7 @@ class Vertices {
   const std::vector<Point>& points() const { return points_; }
   Vertex at(const Point& point) const { return place_of_.at(point); }
 
-  // From one to the other through every vertex between them.
+  // The path from one to the other through every vertex between them.
   std::vector<Vertex> path(Vertex from, Vertex to) const {
     const Ends ends = std::minmax(point(from), point(to));
     std::set<Point> on = {ends.first, ends.second};
@@ -80,7 +80,7 @@ std::set<std::pair<Vertex, Vertex>> pieces(const Vertices& vertices, Vertex a, V
   return pieces;
 }
 
-// The lines of a polygon, cut. A line of which two vertices are left is a segment.
+// The lines of a polygon, cut. A line with two vertices left is a segment.
 PolygonLines cut(const PolygonLines& polygon, const std::vector<Vertex>& place,
                  const Vertices& vertices) {
   PolygonLines result;
@@ -130,7 +130,7 @@ PiecewiseLinearInput cut(const PiecewiseLinearInput& input, const std::vector<Ve
 
 PiecewiseLinearInput arranged(const PiecewiseLinearInput& input) {
   Vertices vertices;
-  std::vector<Vertex> place;  // of each vertex of the input
+  std::vector<Vertex> place;  // for each vertex of the input
   for (const Point& point : input.points) {
     vertices.add(point);
     place.push_back(vertices.at(point));
@@ -141,7 +141,7 @@ PiecewiseLinearInput arranged(const PiecewiseLinearInput& input) {
     const Point& b = input.points[static_cast<std::size_t>(segment[1])];
     if (a != b) segments.insert(std::minmax(a, b));
   }
-  // Where segments of one line overlap, each is cut at the ends of the other, which are vertices.
+  // Collinear segments that overlap are each cut at the ends of the other, which are vertices.
   for (auto s = segments.begin(); s != segments.end(); ++s) {
     for (auto t = std::next(s); t != segments.end(); ++t) {
       if (const auto point = common_point(*s, *t)) vertices.add(*point);
@@ -150,7 +150,7 @@ PiecewiseLinearInput arranged(const PiecewiseLinearInput& input) {
   while (true) {
     PiecewiseLinearInput result = cut(input, place, vertices);
     if (result.polygons.empty()) return result;
-    // Segments and polygons are held against each other when there is nothing else to say of either.
+    // Segments are compared with polygons after everything else about both is settled.
     bool has_more = false;
     const auto valid = validated(result, 0);
     for (const Breach& breach : valid ? std::vector<Breach>{} : valid.error()) {

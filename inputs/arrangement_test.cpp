@@ -17,7 +17,7 @@ PiecewiseLinearInput of(std::vector<Point> points, Pairs segments) {
   return input;
 }
 
-// The arrangement, which is valid whatever goes in, and its own arrangement.
+// The arrangement is valid whatever the input, and is its own arrangement.
 PiecewiseLinearInput valid_arrangement(const PiecewiseLinearInput& input) {
   const PiecewiseLinearInput result = arranged(input);
   CHECK(validated(result, 1));
@@ -41,7 +41,7 @@ TEST_CASE("a vertex on a segment cuts it, whether a segment ends there or not") 
   CHECK(alone.segments == Pairs{{0, 2}, {1, 2}});
   const auto ends = valid_arrangement(of({{0, 0}, {4, 0}, {1, 0}, {1, 5}}, {{0, 1}, {2, 3}}));
   CHECK(ends.segments == Pairs{{0, 2}, {1, 2}, {2, 3}});
-  // Beside it, or on its line beyond its end, it cuts nothing.
+  // A vertex beside the segment, or on its line beyond its end, cuts nothing.
   CHECK(valid_arrangement(of({{0, 0}, {4, 0}, {1, 1}, {5, 0}}, {{0, 1}})).segments ==
         Pairs{{0, 1}});
 }
@@ -100,7 +100,7 @@ TEST_CASE("in space: triangles that each have their own vertices get common ones
   const auto result = valid_arrangement(soup);
   CHECK(result.points == kCorners);
   CHECK(result.polygons[3].lines == Lines{{1, 2, 3}});
-  // One whose vertices are not three is not a polygon, which the arrangement does not hide.
+  // A line without three different vertices is not a polygon; the arrangement does not hide that.
   soup.points[2] = soup.points[1];
   CHECK(arranged(soup).polygons[0].lines == Lines{{0, 1}});
   CHECK(validated(arranged(soup), 1).error().front().kind == BreachKind::kDegeneratePolygon);
@@ -115,7 +115,8 @@ TEST_CASE("in space: a vertex on an edge cuts it in all polygons, and segments c
   CHECK(cut.polygons[0].lines == Lines{{0, 4, 5, 1, 2}});
   CHECK(cut.polygons[1].lines == Lines{{0, 4, 5, 1, 3}});
   CHECK(cut.polygons[3].lines == Lines{{1, 2, 3}});
-  // Through the middle of an edge and beyond, in a plane with it; another passes it by.
+  // One segment goes through the middle of an edge and beyond, in a plane with it; another one
+  // misses it.
   input = tetrahedron();
   input.points.insert(input.points.end(), {{2, -1, 0}, {2, 0, -1}, {2, 0, 1}, {2, -1, 5}});
   input.segments = {{5, 6}, {4, 7}};

@@ -30,12 +30,12 @@ std::ostream& operator<<(std::ostream& out, const PointsCase& set);
 // ---- As arrays ----
 // Generated sets as arrays of doubles, for programs under test, and back.
 
-// Each number rounded to the nearest double: call in_doubles first, so that what the program sees is
-// what is judged. `dimension`: that of an empty set, which has no point to tell.
+// Each number rounded to the nearest double: call in_doubles first, so that what the program sees
+// is what is judged. `dimension`: that of an empty set, which has no points that tell it.
 PointArray array(const PointsCase& set, std::size_t dimension = 3);
 
-// The exact values. Requires: all numbers are finite; coordinates.size() is a multiple of dimension;
-// weights are none or one a point.
+// The exact values. Requires: all numbers are finite; coordinates.size() is a multiple of
+// dimension; weights are none or one a point.
 PointsCase from(const PointArray& points);
 
 // ---- Complexes ----
@@ -68,7 +68,7 @@ bool add_if_valid(PiecewiseLinearInput& input, const Cells& cells);
 // Whether any segment or polygon has a vertex for a corner, for each vertex.
 std::vector<bool> is_used(const PiecewiseLinearInput& input);
 
-// Takes some vertices out and numbers the others anew. Requires: no cell uses them.
+// Removes some vertices and renumbers the others. Requires: no cell uses the removed ones.
 void drop_points(PiecewiseLinearInput& input, const std::vector<bool>& dropped);
 
 }  // namespace circumspect::generators

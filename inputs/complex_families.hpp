@@ -1,5 +1,5 @@
-// The named families of piecewise linear complexes: what `circumspect generate`, campaigns and
-// harnesses draw domains from. Their vertices are doubles.
+// The named families of piecewise linear complexes, from which `circumspect generate`, campaigns
+// and harnesses draw domains. Their vertices are doubles.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,8 @@ struct ComplexFamily {
   std::function<ComplexCase(Dice& dice, std::size_t max_points)> draw;
 };
 
-// A change that can be made to the domains of any family: "planar-grid+rotated". It returns valid domains of doubles.
+// A change that can be made to the domains of any family: "planar-grid+rotated". It returns valid
+// domains of doubles.
 struct ComplexModifier {
   std::string name;
   std::string about;
@@ -29,14 +30,14 @@ struct ComplexModifier {
 };
 const std::vector<ComplexModifier>& complex_modifiers();
 
-// The family with the modifier, which its name and its domains tell.
+// The family with the modifier, both in its name and in its domains.
 ComplexFamily modified(ComplexFamily family, const ComplexModifier& modifier);
 
 // The families that need no Delaunay triangulation to be drawn. All of them, with those that are
 // edge-protected: inputs/triangulated/domain_families.hpp.
 const std::vector<ComplexFamily>& complex_families();
 
-// Sets of integers, never empty: what the families take for vertices.
+// Non-empty sets of integer points, which the families use as vertices.
 std::vector<Point> integer_vertices(Dice& dice, std::size_t dimension, std::size_t max_points);
 
 // The complex that a seed stands for, the same on every machine.

@@ -80,7 +80,7 @@ int side(const PointSet& points, Simplex facet, Vertex v) {
 // Tetrahedra glued facet to facet: the vertices opposite to each facet, one or two.
 using Glued = std::map<Simplex, std::vector<Vertex>>;
 
-// May the tetrahedron be added, as far as the facets that are there already and the vertices tell?
+// May the tetrahedron be added, judging by the existing facets and the vertices?
 bool fits(const PointSet& points, const Glued& glued, const Simplex& tetrahedron) {
   if (has_repeated_vertex(tetrahedron)) return false;
   if (flat_through(points, tetrahedron).dimension() != 3) return false;
@@ -97,9 +97,9 @@ bool fits(const PointSet& points, const Glued& glued, const Simplex& tetrahedron
   });
 }
 
-// A random tetrahedron, glued to those there are if there are any. None of its facets crosses any
-// that is there, and those that are there lie on its outside: then so do the others' interiors, which
-// are connected through facets.
+// A random tetrahedron, glued to the existing ones if there are any. Its facets cross no existing
+// facet, and those lie outside of it: then the interiors of the existing tetrahedra, which are
+// connected through facets, lie outside of it too.
 void glue_one(Dice& dice, PiecewiseLinearInput& input, const PointSet& points, Glued& glued) {
   std::vector<Vertex> vertices;
   if (glued.empty()) {
@@ -136,7 +136,7 @@ std::vector<Point> square_in_face(std::size_t axis, const Rational& height, cons
   return corners;
 }
 
-// A square in a face, of which it makes a hole, a polygon within the polygon, or a closed slit.
+// A square in a face, which becomes a hole, a polygon within the polygon, or a closed slit.
 void add_square_to_face(Dice& dice, PiecewiseLinearInput& input) {
   const std::size_t axis = dice.below(3);
   const Rational height = toss(dice) ? 0 : 6;

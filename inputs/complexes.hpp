@@ -1,6 +1,6 @@
-// Random piecewise linear complexes, by family, edge-protected or not; those that are sure to be need a
-// Delaunay triangulation, and are in inputs/triangulated. All are valid and small. Point sets must not
-// be empty.
+// Random piecewise linear complexes, by family, edge-protected or not; families that are certain to
+// be edge-protected need a Delaunay triangulation, and are in inputs/triangulated. All are valid
+// and small. Point sets must not be empty.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace circumspect::generators {
 
-// The largest of three sets that draw() returns, for small ones leave no room for cells; the origin if all
-// are empty, for without a vertex nothing tells the dimension of a complex.
+// The largest of three sets that draw() returns, because small ones leave no room for cells; the
+// origin if all are empty, because a complex without vertices has no dimension.
 template <class Draw>
 std::vector<Point> rather_large(std::size_t dimension, const Draw& draw) {
   std::vector<Point> largest;
@@ -25,9 +25,9 @@ std::vector<Point> rather_large(std::size_t dimension, const Draw& draw) {
 }
 
 // Triangles, quadrilaterals of coplanar points and segments among the points of a set of space, at
-// random as long as they do not cross; any edges. Dangling and isolated cells, open surfaces, slits in
-// polygons; mostly not edge-protected, so that a CDT may exist or not (Book: Section 4.5.3). Of the
-// hull kind, or enclosed, which then may well enclose nothing.
+// random as long as they do not cross; any edges. There are dangling and isolated cells, open
+// surfaces, and slits in polygons; mostly not edge-protected, so that a CDT may exist or not (Book:
+// Section 4.5.3). The kind is hull or enclosed, and the latter often encloses nothing.
 ComplexCase scattered_cells(Dice& dice, std::vector<Point> points);
 
 // Tetrahedra of random points, glued facet to facet, whose boundary becomes the polygons of an
@@ -37,8 +37,8 @@ ComplexCase scattered_cells(Dice& dice, std::vector<Point> points);
 ComplexCase glued_tetrahedra(Dice& dice, std::vector<Point> points);
 
 // A cube with vertices in its faces and inside, whose faces have holes, slits and polygons within a
-// polygon, with a smaller box inside that is or is not a cavity, with dangling polygons and segments
-// (Book: Definition 4.3, Figures 2.6 and 4.11).
+// polygon, with a smaller box inside that is or is not a cavity, with dangling polygons and
+// segments (Book: Definition 4.3, Figures 2.6 and 4.11).
 ComplexCase furnished_box(Dice& dice);
 
 // Schönhardt's polyhedron and its kin, prisms over a triangle or a square that are twisted, with

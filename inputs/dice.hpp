@@ -1,4 +1,4 @@
-// Where all that is random comes from: numbers that follow from a seed, the same on every machine.
+// The source of all randomness: numbers that follow from a seed, the same on every machine.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@ namespace circumspect::generators {
 // What `mixed` adds before it mixes: the step of splitmix64.
 inline constexpr std::uint64_t kMixingStep = 0x9e3779b97f4a7c15U;
 
-// One step of splitmix64, a bijection: equal numbers, equal results; neighbours, unrelated ones (Steele, Lea
+// One step of splitmix64, a bijection that maps neighbouring numbers to unrelated ones (Steele, Lea
 // and Flood, "Fast splittable pseudorandom number generators", 2014).
 constexpr std::uint64_t mixed(std::uint64_t value) {
   value += kMixingStep;
@@ -19,10 +19,10 @@ constexpr std::uint64_t mixed(std::uint64_t value) {
   return value ^ (value >> 31);
 }
 
-// Splitmix64: 2^64 throws before they repeat, the k-th of them mixed(seed + k · kMixingStep), k from 0. The
-// distributions of the standard library are not used anywhere, for what they make of equal bits differs
-// from one library to another. Two throws within one expression have no order in C++, so each stands in
-// a statement of its own, or between the braces of a list.
+// Splitmix64: 2^64 throws before they repeat, the k-th of them mixed(seed + k · kMixingStep), k
+// from 0. The distributions of the standard library are not used anywhere, because their results
+// for equal bits differ between libraries. Two throws within one expression have no order in C++,
+// so each is in a statement of its own, or within the braces of a list.
 class Dice {
  public:
   explicit constexpr Dice(std::uint64_t seed) : state_(seed) {}
@@ -33,7 +33,8 @@ class Dice {
     return bits;
   }
 
-  // Uniform in [0, count), exactly: 2^64 mod count of the throws are thrown again. Requires: count > 0.
+  // Uniform in [0, count), exactly: 2^64 mod count of the possible throws are rejected and thrown
+  // again. Requires: count > 0.
   constexpr std::size_t below(std::size_t count) {
     const std::uint64_t least = (0 - std::uint64_t{count}) % count;
     std::uint64_t thrown = bits();

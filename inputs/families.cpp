@@ -97,7 +97,7 @@ Count count_of_a_campaign(std::size_t dimension, std::uint64_t seed) {
 }
 
 PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed) {
-  // Mixed, lest the throws of one seed be those of another, some throws later.
+  // Mixed, because otherwise the throws of one seed would be those of another, some throws later.
   Dice dice(mixed(seed));
   return family.draw(dice, dimension, count);
 }

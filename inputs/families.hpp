@@ -1,5 +1,6 @@
-// The named families of point sets: what `circumspect generate`, campaigns and harnesses draw from.
-// Everything that is drawn follows from a family's name, a dimension, a number of points and a seed.
+// The named families of point sets, from which `circumspect generate`, campaigns and harnesses
+// draw. Everything that is drawn follows from a family's name, a dimension, a number of points and
+// a seed.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ struct Family {
 };
 
 // A change that can be made to the sets of any family: "sphere+ulp" is the family sphere with the
-// modifier ulp. It returns sets of doubles if it was given such.
+// modifier ulp. It returns sets of doubles if it was given sets of doubles.
 struct FamilyModifier {
   std::string name;
   std::string about;
@@ -40,20 +41,22 @@ const std::vector<FamilyModifier>& family_modifiers();
 // Every family, without and with each one of the modifiers: those without come first.
 const std::vector<Family>& modified_families();
 
-// A family by its name, which may have several modifiers, one applied after the other: "grid+moved+ulp"; null if there is
-// none. It lives as long as the program.
+// A family by its name, which may have several modifiers, one applied after the other:
+// "grid+moved+ulp"; null if there is none. It lives as long as the program.
 const Family* find_family(std::string_view name);
 
-// How many points a campaign asks for, unless it is told otherwise: few show most faults and are soon judged. One set
-// in 32 has 64 to 2000, for faults of blocks, counters and buckets. Those of more than three dimensions never do.
+// How many points a campaign asks for by default: few points show most faults and are judged
+// quickly. One set in 32 has 64 to 2000, for faults of blocks, counters and buckets. Those of more
+// than three dimensions never do.
 constexpr std::size_t kFewPoints = 20;
 Count count_of_a_campaign(std::size_t dimension, std::uint64_t seed);
 
-// The set that a seed stands for, the same on every machine. That of a modified family is made of the one
-// of the same seed without modifier. Requires: the family exists in the dimension.
+// The set that a seed stands for, the same on every machine. The set of a modified family is made
+// of the unmodified set with the same seed. Requires: the family exists in the dimension.
 PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed);
 
-// The one place where families of point sets are listed: a new family is a function, and a line here.
+// The only place that lists the families of point sets: a new family is a function, and a line
+// here.
 
 std::vector<Family> family_table();
 

@@ -1,4 +1,5 @@
-// What every family must do: sets of the right size and dimension, the same for a seed, that shrink.
+// What every family must do: sets of the right size and dimension, the same for a seed, that
+// shrink.
 #include "inputs/families.hpp"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ TEST_CASE("families: names are unique words, and are found") {
   CHECK(find_family("sphere+") == nullptr);
 }
 
-// What a property's failing set becomes: as few points as still fail, of small coordinates.
+// A failing set of a property is reduced to as few points as still fail, with small coordinates.
 TEST_CASE("families: modifiers go together, one applied after the other") {
   const Family* const both = find_family("grid+moved+ulp");
   REQUIRE(both != nullptr);
@@ -300,7 +301,7 @@ ComplexCase notched_square() {
   return whole;
 }
 
-// What is wrong with it first; nothing if it is valid.
+// The first thing that is wrong with it; nothing if it is valid.
 std::optional<BreachKind> breach(const PiecewiseLinearInput& input) {
   const auto valid = validated(input, 1);
   return valid ? std::nullopt : std::optional(valid.error().front().kind);
@@ -365,7 +366,7 @@ TEST_CASE("a domain without segments stays as it is") {
 }  // namespace
 
 // ---- Dice ----
-// What a seed promises: the same numbers on every machine, none of them more likely than another.
+// The guarantees of a seed: the same numbers on every machine, all equally likely.
 
 namespace {
 
@@ -382,7 +383,7 @@ TEST_CASE("dice: all numbers of a range, all equally often, whatever its length"
   std::array<int, 11> often{};
   for (int i = 0; i < 11'000; ++i) ++often[static_cast<std::size_t>(dice.within(-5, 5) + 5)];
   for (const int times : often) CHECK(std::abs(times - 1000) < 150);
-  // Of three halves of 2^64, the remainders of the last half would come twice as often.
+  // For a count of three quarters of 2^64, remainders would make the lowest third twice as likely.
   const std::size_t count = std::size_t{3} << 62;
   int low = 0;
   for (int i = 0; i < 9'000; ++i) low += dice.below(count) < (std::size_t{1} << 62) ? 1 : 0;

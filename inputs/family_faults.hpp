@@ -1,5 +1,5 @@
-// What to say of a family that somebody names and that is none, or has no sets in a dimension. The command, C, Python and
-// the harnesses all say it in these words.
+// The messages for an unknown family, and for one without sets in a dimension. The command, C,
+// Python and the harnesses all use these words.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace circumspect::generators {
 // "3", "2 to 6", "3 and above".
 std::string dimensions_text(const Family& family);
 
-// `kind`: "points" or "domains", or "" where both are asked for. `nearest`: "; the nearest is …", if that is known.
-// Requires: `found` is fit to be printed.
+// `kind`: "points" or "domains", or "" if both are allowed. `nearest`: "; the nearest is …", if
+// that is known. Requires: `found` is printable.
 std::string unknown_family_text(std::string_view kind, std::string_view found,
                                 std::string_view nearest = "");
 

@@ -9,7 +9,7 @@
 namespace circumspect::generators {
 namespace {
 
-// How often and how long it may still be asked.
+// How often, and how long, the predicate may still be asked.
 class Budget {
  public:
   explicit Budget(const MinimiseLimits& limits) : limits_(limits) {}
@@ -31,9 +31,9 @@ class Budget {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// A sublist of `items` that `accepts` still takes, from which no single item can be left out, unless
-// the budget is spent before. Chunks are halved until
-// they are single items; those at the end go first. Returns whether anything was dropped.
+// A sublist of `items` that `accepts` still accepts and from which no single item can be left out,
+// unless the budget runs out first. Chunks are halved until they are single items; those at the end
+// go first. Returns whether anything was dropped.
 template <class Item>
 bool drop_items(std::vector<Item>& items, const Budget& budget,
                 const std::function<bool(const std::vector<Item>&)>& accepts) {
@@ -78,7 +78,7 @@ bool leave_out_points(PointsCase& set, const Budget& budget,
   return dropped;
 }
 
-// A point goes with all that happens to it.
+// A point is removed with everything that happens to it.
 UpdatesCase chosen(const UpdatesCase& whole, const std::vector<std::size_t>& kept) {
   UpdatesCase part{chosen(whole.set, kept)};
   for (Update update : whole.updates) {

@@ -57,7 +57,7 @@ TEST_CASE("coordinates become small integers where they may") {
     for (const Rational& x : point) CHECK((x == 0 || x == 1 || x == -1 || x == 2));
   }
   CHECK(std::count(small.weights.begin(), small.weights.end(), Rational(0)) == 4);
-  // Points stay distinct, for the set had none that were equal.
+  // Points stay distinct, because the set had no equal ones.
   CHECK(small.points[0] != small.points[1]);
 }
 

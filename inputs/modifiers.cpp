@@ -52,7 +52,7 @@ PointsCase one_ulp_away(Dice& dice, const PointsCase& set, bool may_repeat_point
 
 PointsCase scaled_by_power_of_two(Dice& dice, const PointsCase& set, bool /*may_repeat_points*/) {
   const int wanted = dice.within(-300, 300);
-  // Neither beyond 2^±kLargestExponent nor towards it if already beyond.
+  // Not beyond 2^±kLargestExponent, and no farther if already beyond.
   const auto [least, largest] = exponents(set);
   const int shift = std::clamp(wanted, std::min(0, -kLargestExponent - least + 53),
                                std::max(0, kLargestExponent - largest));
@@ -74,7 +74,7 @@ PointsCase far_from_origin(Dice& dice, const PointsCase& set, bool may_repeat_po
 
 namespace {
 
-// The number with another exponent: `moved` of its own.
+// The number with another exponent: its own exponent under `moved`.
 template <class Moved>
 Rational with_exponent(const Rational& value, const Moved& moved) {
   if (sign(value) == 0) return value;
@@ -109,7 +109,7 @@ bool is_valid_in_doubles(const ComplexCase& whole) {
   return are_doubles(whole.input.points) && validated(whole.input, 1).has_value();
 }
 
-// Every vertex and seed where `image` puts it, rounded to doubles.
+// Every vertex and seed moved by `image`, rounded to doubles.
 template <class Image>
 ComplexCase mapped(ComplexCase whole, const Image& image) {
   const auto map = [&image](std::vector<Point>& points) {
@@ -121,11 +121,11 @@ ComplexCase mapped(ComplexCase whole, const Image& image) {
   return in_doubles(std::move(whole));
 }
 
-// Rows of integers whose product with their transpose is `square` times the identity, and not a permutation.
-// In space they are those of a quaternion of integers.
+// Rows of integers whose product with their transpose is `square` times the identity, and not a
+// permutation. In space they are those of a quaternion of integers.
 struct Turn {
   std::vector<std::vector<long>> rows;
-  long stretch = 1;  // that of lengths
+  long stretch = 1;  // the factor of lengths
 };
 
 Turn drawn_turn(Dice& dice, std::size_t dimension) {

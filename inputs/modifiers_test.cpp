@@ -19,7 +19,7 @@ const PointsCase& some_set() {
   return set;
 }
 
-// The set that a seed makes of this one.
+// The modification of this set by a seed.
 template <class Modifier>
 PointsCase changed(const Modifier& modifier, const PointsCase& set, std::uint64_t seed,
                    bool may_repeat_points = false) {

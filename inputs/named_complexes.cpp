@@ -77,7 +77,8 @@ PiecewiseLinearInput encircled_segment() {
 
 namespace {
 
-// One wedge: where its two sides leave the box's floor (or ceiling) and its sharp edge, at either end.
+// One wedge: the points at either end where its two sides leave the box's floor (or ceiling), and
+// its sharp edge.
 struct Wedge {
   Vertex low[2], sharp[2], high[2];
 };

@@ -1,5 +1,5 @@
-// Linear algebra over the rationals by its definitions: slow, short, and sharing no line with the
-// code under test.
+// Linear algebra over the rationals from the definitions: slow, short, and independent of the code
+// under test.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ std::size_t rank_by_minors(const std::vector<Point>& rows);
 // The affine dimension of points by minors; -1 for none.
 int dimension_by_minors(const std::vector<Point>& points);
 
-// The points with coordinates on the given axes only.
+// The points projected on the given axes.
 std::vector<Point> projected(const std::vector<Point>& points,
                              const std::vector<std::size_t>& axes);
 

@@ -36,8 +36,8 @@ Point cube_point(std::size_t dimension, std::size_t code) {
   return point;
 }
 
-// The least number of steps on each axis that make as many cells as are needed if each has so many points; 1 for sets
-// of no more than sixty points, which are dense on purpose.
+// The least number of steps on each axis that gives enough cells, each with so many points; 1 for
+// sets of at most sixty points, which are dense on purpose.
 long steps_for(std::size_t points, std::size_t dimension, std::size_t points_each) {
   constexpr std::size_t kFew = 60;
   if (points <= kFew) return 1;

@@ -1,4 +1,4 @@
-// Each family is what the table says it is, exactly.
+// Each family is exactly what the table says.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -60,7 +60,7 @@ TEST_CASE("families on spheres are cospherical, exactly") {
         CAPTURE(name);
         PointsCase set = drawn_from(name, dimension, seed);
         if (name == std::string("parallel-lifted")) {
-          // Those of one plane are "cospherical" as weighted points.
+          // Coplanar points are "cospherical" as weighted points.
           PointsCase lower;
           for (std::size_t v = 0; v < set.points.size(); ++v) {
             if (set.weights[v] != squared_length(set.points[v])) continue;
@@ -118,8 +118,8 @@ TEST_CASE("families that keep their promise as doubles") {
 TEST_CASE("the circle in space: its axis passes all its points at one distance") {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const PointsCase set = drawn_from("circle", 3, seed);
-    // Some plane holds a cocircular subset, and the other points are collinear: at most 12 points, so
-    // that three of the circle are found by looking for a triple whose circle has most points.
+    // Some plane holds a cocircular subset, and the other points are collinear: at most 12 points,
+    // so that three of the circle are found by looking for a triple whose circle has most points.
     std::size_t most = 0;
     std::vector<bool> best;
     const std::size_t n = set.points.size();
@@ -168,8 +168,9 @@ TEST_CASE("flat families span a flat") {
   }
 }
 
-// Tetrahedron, octahedron, cube, cuboctahedron and icosahedron, truncated octahedron; in dimension 4 the
-// half-cube and cross-polytope, the tesseract, the 24-cell, and the permutations of (±1, ±2, 0, 0).
+// Tetrahedron, octahedron, cube, cuboctahedron and icosahedron, truncated octahedron; in dimension
+// 4 the half-cube and cross-polytope, the tesseract, the 24-cell, and the permutations of (±1, ±2,
+// 0, 0).
 TEST_CASE("polytopes have all their vertices, and no others") {
   const auto sizes = [](std::size_t dimension) {
     std::set<std::size_t> found;

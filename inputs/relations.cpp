@@ -14,7 +14,7 @@ namespace {
 
 using Map = std::function<Point(const Point&)>;
 
-// The places of so many points in another order; the same for the same number.
+// Another order of so many points, which depends only on their number.
 std::vector<std::size_t> shuffled(std::size_t count) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -26,7 +26,7 @@ std::vector<std::size_t> shuffled(std::size_t count) {
   return order;
 }
 
-// Does the map take each of these to doubles?
+// Does the map send each of these to doubles?
 bool is_exact(const Map& map, const std::vector<Point>& points) {
   return std::all_of(points.begin(), points.end(), [&](const Point& point) {
     const Point moved = map(point);
@@ -48,7 +48,8 @@ int largest_exponent(const std::vector<Point>& points) {
   return largest.value_or(0);
 }
 
-// What moves all points of an input, by the points; nothing if no such map is exact.
+// The map that moves all points of an input, which depends on the points; nothing if no such map is
+// exact.
 std::optional<Map> map_of(Relation relation, const std::vector<Point>& points) {
   if (points.empty()) return std::nullopt;
   const int top = largest_exponent(points);
@@ -65,7 +66,7 @@ std::optional<Map> map_of(Relation relation, const std::vector<Point>& points) {
     const Map scales = [factor](const Point& point) { return factor * point; };
     return is_exact(scales, points) ? std::optional(scales) : std::nullopt;
   }
-  // As far as all stay doubles, beginning at four times their size.
+  // The distance begins at four times their size, and shrinks until all stay doubles.
   constexpr int kMoves = 60;
   for (int exponent = top + 2; exponent > top - kMoves; --exponent) {
     const Map moves = [step = power_of_two(exponent)](const Point& point) {
@@ -82,7 +83,7 @@ void apply(const Map& map, std::vector<Point>& points) {
   std::transform(points.begin(), points.end(), points.begin(), map);
 }
 
-// By what weights are multiplied: the square of that of lengths.
+// The factor of weights: the square of the factor of lengths.
 Rational weight_factor(const Map& map, std::size_t dimension) {
   Point unit(dimension, 0);
   unit.front() = 1;

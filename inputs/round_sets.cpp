@@ -10,7 +10,7 @@ namespace circumspect::generators {
 
 namespace {
 
-// A point of the unit circle, few of them, so that rings above each other have points above each
+// A point of the unit circle, out of a few, so that rings above each other have points above each
 // other.
 Point circle_point(Dice& dice) {
   const long numerator = dice.within(-6L, 6L);
@@ -42,8 +42,8 @@ std::vector<std::vector<long>> integer_points_of_sphere(std::size_t dimension, l
 
 using Spheres = std::vector<std::vector<std::vector<long>>>;
 
-// A few spheres with many integer points. In the plane the squared radii are products of primes 4k + 1:
-// 12, 48 and 96 points.
+// A few spheres with many integer points. In the plane the squared radii are products of primes 4k
+// + 1: 12, 48 and 96 points.
 const Spheres& spheres_of_integer_points(std::size_t dimension) {
   static const std::array<Spheres, 7> all = [] {
     const std::array<std::vector<long>, 7> squares = {
@@ -58,7 +58,7 @@ const Spheres& spheres_of_integer_points(std::size_t dimension) {
   return all[dimension];
 }
 
-// Integer coordinates of one vertex of each polytope, the first ones of a point; the rest are 0.
+// The first, integer coordinates of one vertex of each polytope; the rest are 0.
 const std::vector<Point>& first_vertices_of_polytopes(std::size_t dimension) {
   static const std::array<std::vector<Point>, 17> all = [] {
     std::array<std::vector<Point>, 17> vertices;
@@ -77,7 +77,7 @@ constexpr std::size_t kHalfCube = 0, kIcosahedron = 5;
 Point polytope_vertex(std::size_t dimension, std::size_t polytope, std::size_t code) {
   const Point& first = first_vertices_of_polytopes(dimension)[polytope];
   if (polytope == kIcosahedron) {
-    // No odd permutations: those would be the vertices of a second icosahedron.
+    // Odd permutations are left out: they would be the vertices of a second icosahedron.
     Point vertex(3);
     for (std::size_t i = 0; i < 3; ++i) {
       vertex[(i + code) % 3] = (code / 3 >> i) % 2 == 0 ? first[i] : Rational(-first[i]);

@@ -18,34 +18,35 @@ std::vector<Point> circle_points(Dice& dice, std::size_t dimension, Count count)
 // heights: two rings lie on a common sphere. Requires: dimension >= 3.
 std::vector<Point> cylinder_points(Dice& dice, std::size_t dimension, Count count);
 
-// Integer points of one sphere, all of them equally likely, around an integer centre, times a power of
-// two: exactly cospherical, and still so as doubles. Requires: 2 <= dimension <= 6.
+// Integer points of one sphere, all of them equally likely, around an integer centre, times a power
+// of two: exactly cospherical, and still so as doubles. Requires: 2 <= dimension <= 6.
 std::vector<Point> pythagorean_points(Dice& dice, std::size_t dimension, Count count);
 
-// Vertices of a regular polytope or one of its kin whose coordinates are integers, sometimes with its
-// centre: simplex or half-cube, cube, cross-polytope, cuboctahedron (in dimension 4 the 24-cell),
-// truncated octahedron; in space an icosahedron of golden rectangles 21 by 13, which is as good as
-// regular. Requires: 2 <= dimension <= 16.
+// Vertices of a regular polytope or one of its kin whose coordinates are integers, sometimes with
+// its centre: simplex or half-cube, cube, cross-polytope, cuboctahedron (in dimension 4 the
+// 24-cell), truncated octahedron; in space an icosahedron of golden rectangles 21 by 13, which is
+// as good as regular. Requires: 2 <= dimension <= 16.
 std::vector<Point> polytope_points(Dice& dice, std::size_t dimension, Count count);
 
-// Corners of twisted prisms: points of a circle and their images under one rational turn and lift, all on
-// one sphere; or those of Schönhardt's polyhedron, with its centre (Book: Figure 4.10).
+// Corners of twisted prisms: points of a circle and their images under one rational turn and lift,
+// all on one sphere; or those of Schönhardt's polyhedron, with its centre (Book: Figure 4.10).
 // Requires: dimension == 3.
 std::vector<Point> twisted_prism_points(Dice& dice, std::size_t dimension, Count count);
 
 // ---- Lattices ----
-// Parts of lattices: periodic sets, whose Delaunay subdivisions repeat one degenerate cell or a few (Book:
-// Section 4.2). As in point_sets.hpp: distinct points, as many as `count` says.
+// Parts of lattices: periodic sets, whose Delaunay subdivisions repeat one degenerate cell or a few
+// (Book: Section 4.2). As in point_sets.hpp: distinct points, as many as `count` says.
 
-// Z^d: cubes with 2^d cospherical corners. Body-centred: with the cubes' centres, where the cells in
-// space are tetrahedra, though four meet in an edge. Face-centred (D_d, the integer points of even sum):
-// octahedra and tetrahedra. All within 3 of the origin.
+// Z^d: cubes with 2^d cospherical corners. Body-centred: with the cubes' centres, where the cells
+// in space are tetrahedra, though four meet in an edge. Face-centred (D_d, the integer points of
+// even sum): octahedra and tetrahedra. All within 3 of the origin.
 std::vector<Point> cubic_lattice_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> body_centred_lattice_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> face_centred_lattice_points(Dice& dice, std::size_t dimension, Count count);
 
-// Hexagonal layers, one above the other: equilateral triangles as near as doubles come, for √3 is
-// irrational; points that should be cocircular are so up to rounding. Requires: dimension >= 2.
+// Hexagonal layers, one above the other: triangles as nearly equilateral as doubles allow, because
+// √3 is irrational; points that should be cocircular are so up to rounding. Requires: dimension >=
+// 2.
 std::vector<Point> hexagonal_lattice_points(Dice& dice, std::size_t dimension, Count count);
 
 }  // namespace circumspect::generators

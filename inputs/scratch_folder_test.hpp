@@ -1,4 +1,4 @@
-// A folder for the files of one test, gone at its end.
+// A folder for the files of one test, which is removed at its end.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   std::string path(const std::string& name) const { return path_ + "/" + name; }
-  // Writes a file and gives back its path.
+  // Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);

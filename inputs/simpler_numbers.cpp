@@ -31,7 +31,7 @@ std::vector<Rational*> numbers(PointsCase& set) {
   return all;
 }
 
-// The coordinates of each axis replaced by their places in the order of all.
+// The coordinates of each axis replaced by their ranks.
 PointsCase ranked(PointsCase set, std::size_t axis) {
   std::vector<Rational> values;
   for (const Point& point : set.points) values.push_back(point[axis]);
@@ -52,8 +52,8 @@ PointsCase from_zero(PointsCase set, std::size_t axis) {
   return set;
 }
 
-// Scaled by 2^-k; weights, which are squared lengths, by the square of that; and put onto the
-// integer grid if that is asked for.
+// Scaled by 2^-k; weights, which are squared lengths, by the square of that; and rounded to the
+// integer grid if asked for.
 PointsCase scaled(PointsCase set, long k, bool on_grid) {
   const Rational factor = power_of_two(-k);
   for (Point& point : set.points) {
@@ -63,7 +63,7 @@ PointsCase scaled(PointsCase set, long k, bool on_grid) {
   return set;
 }
 
-// Divided by what all coordinates are multiples of.
+// Divided by the common divisor of all coordinates.
 PointsCase divided(PointsCase set) {
   Integer divisor = 0;
   Integer multiple = 1;
@@ -111,7 +111,7 @@ std::vector<PointsCase> simpler_wholes(const PointsCase& set) {
   return found;
 }
 
-// Numbers that may stand for one, all of them shorter, the shortest first.
+// Shorter numbers that may replace one, the shortest first.
 std::vector<Rational> simpler_numbers(const Rational& value) {
   std::vector<Rational> found = {0, 1, -1, 2};
   const long top = exponent(value);

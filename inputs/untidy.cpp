@@ -26,7 +26,7 @@ const Point& some_vertex(Dice& dice, const PiecewiseLinearInput& input) {
   return input.points[dice.below(input.points.size())];
 }
 
-// The two places in a domain where the ends of a segment, or of an edge of a polygon, stand.
+// The two places in a domain that hold the ends of a segment, or of an edge of a polygon.
 using Ends = std::array<Vertex*, 2>;
 
 std::vector<Ends> all_ends(PiecewiseLinearInput& input) {
@@ -73,7 +73,8 @@ void make_untidy(Dice& dice, Untidiness kind, PiecewiseLinearInput& input) {
       return;
     }
     case Untidiness::kCrossing: {
-      // From a vertex through a point inside the segment, or inside a polygon, as far again.
+      // From a vertex through a point inside the segment, or inside a polygon, and as far again
+      // beyond.
       const Point from = some_vertex(dice, input);
       Point through = on_line(input, segment, quarters);
       if (!input.polygons.empty() && dice.below(2) == 0) {

@@ -8,7 +8,8 @@
 namespace circumspect::generators {
 namespace {
 
-// The places of the points that are there, one update after another. What an update cannot do is not done.
+// The places of the points that are present, one update after another. Impossible updates are
+// skipped.
 class Present {
  public:
   explicit Present(const UpdatesCase& whole) : whole_(whole) {
@@ -23,7 +24,7 @@ class Present {
     }
   }
 
-  // False if this cannot be done now.
+  // False if this is not possible now.
   bool take(const Update& update) {
     if (update.kind == UpdateKind::kRestore) return true;
     if (update.point >= whole_.set.points.size()) return false;
@@ -54,7 +55,7 @@ class Present {
   bool is_sound_ = true;
 };
 
-// Do the points at these places lie in a hyperplane? If not, `basis` are some that do not.
+// Do the points at these places lie in a hyperplane? If not, `basis` gets some that do not.
 bool are_flat(const PointsCase& set, const std::vector<std::size_t>& places, std::size_t dimension,
               std::vector<std::size_t>& basis) {
   const AffineHull hull = affine_hull(chosen(set, places).points);
@@ -110,8 +111,8 @@ UpdatesCase with_updates(Dice& dice, const PointsCase& set, const std::set<Updat
   const std::size_t count = whole.set.points.size();
   const std::vector<UpdateKind> asked(kinds.begin(), kinds.end());
   const bool inserts = kinds.count(UpdateKind::kInsert) != 0;
-  // Of one in four, all points but a few come one by one; of the others, about half do.
-  // Of three in four, there are always enough points for a simplex and one more.
+  // In one case in four, all points but a few are inserted one by one; in the others, about half
+  // are. In three cases in four, there are always enough points for a simplex and one more.
   const std::size_t dimension = count == 0 ? 0 : set.points.front().size();
   const std::size_t least = dice.below(4) == 0 ? 0 : std::min(dimension + 2, count);
   const std::size_t at_first = inserts ? least + dice.below(count - least + 1) : count;
@@ -126,7 +127,7 @@ UpdatesCase with_updates(Dice& dice, const PointsCase& set, const std::set<Updat
       const bool comes_back = !gone.empty() && (next == count || dice.below(3) == 0);
       if (!comes_back && next == count) continue;
       if (comes_back) {
-        // Another point with the coordinates of one that went.
+        // A new point with the coordinates of a deleted one.
         const std::size_t which = dice.below(gone.size());
         update.point = whole.set.points.size();
         whole.set.points.push_back(gone[which]);
@@ -150,7 +151,7 @@ UpdatesCase with_updates(Dice& dice, const PointsCase& set, const std::set<Updat
     }
     whole.updates.push_back(update);
   }
-  // What has not come by now comes in a row.
+  // The remaining points are inserted one after another.
   for (; next < count; ++next) whole.updates.push_back({UpdateKind::kInsert, next});
   return whole;
 }

@@ -1,4 +1,4 @@
-// Points that come and go: what a structure that lives is tried with.
+// Points that come and go, to test a dynamic structure.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace circumspect::generators {
 enum class UpdateKind {
   kInsert,   // a point comes
   kDelete,   // a point goes
-  kRestore,  // the structure is written somewhere, forgotten, and read again
+  kRestore,  // the structure is written, destroyed, and read again
 };
 
 std::string_view name(UpdateKind kind);
@@ -26,29 +26,32 @@ struct Update {
   bool operator==(const Update&) const = default;
 };
 
-// Every point that is ever there, and what happens. Those that no update inserts are there from the beginning. A point
-// is inserted once and deleted once at most; one that comes back is another one with the same coordinates.
+// All points that are ever present, and the updates. Points that no update inserts are present from
+// the beginning. A point is inserted at most once and deleted at most once; one that comes back is
+// a new point with the same coordinates.
 struct UpdatesCase {
   PointsCase set;
   std::vector<Update> updates = {};
 };
 
-// Is each update possible when its turn comes, and are no two equal points there at the same time?
+// Is each update possible when its turn comes, and are no two equal points present at the same
+// time?
 bool is_sound(const UpdatesCase& whole);
 
-// The places of the points that are there at first, and those that are there in the end, in the order in which they
-// came: those of the beginning first. Requires: it is sound.
+// The places of the points that are present at first, and of those present in the end, in the order
+// of insertion, beginning with those present from the start. Requires: the updates are sound.
 std::vector<std::size_t> first_places(const UpdatesCase& whole);
 std::vector<std::size_t> last_places(const UpdatesCase& whole);
 inline PointsCase last_points(const UpdatesCase& whole) {
   return chosen(whole.set, last_places(whole));
 }
 
-// Is there a time at which the points that are there lie in a hyperplane, or are too few not to?
+// Is there a time at which the points present lie in a hyperplane, perhaps because they are too
+// few?
 bool is_ever_flat(const UpdatesCase& whole, std::size_t dimension);
 
-// Updates of the kinds asked for, about as many as there are points: some of the points come later, some go,
-// some of those come back. Of equal points one is taken.
+// Updates of the kinds asked for, about as many as there are points: some of the points are
+// inserted later, some are deleted, and some of those come back. Equal points are used once.
 UpdatesCase with_updates(Dice& dice, const PointsCase& set, const std::set<UpdateKind>& kinds);
 
 }  // namespace circumspect::generators

@@ -82,7 +82,7 @@ TEST_CASE("a time at which the points lie in a hyperplane is found") {
 }
 
 TEST_CASE("of many updates those are left that do it") {
-  // Something went and came back. Nothing is asked about that cannot be done.
+  // A point was deleted and came back. Only possible updates are asked about.
   const auto fails = [](const UpdatesCase& candidate) {
     CHECK(is_sound(candidate));
     for (std::size_t i = 0; i < candidate.updates.size(); ++i) {
@@ -136,11 +136,11 @@ TEST_CASE("each relation changes the points exactly, and as it says") {
 TEST_CASE("where there is no exact image there is none") {
   CHECK(!image(Relation::kOrder, PointsCase{{{1, 2}}, {}}));
   CHECK(!image(Relation::kRepetition, PointsCase{}));
-  // Four times as far lies beyond the doubles, and so do all moves down to this one.
+  // Four times the size is beyond the doubles, and so are all moves down to this one.
   const PointsCase far{{{exact_value(0x1p1023), 0}, {0, 1}}, {}};
   CHECK(image(Relation::kTranslation, far)->points[0][0] == exact_value(0x1.8p1023));
   CHECK(!image(Relation::kTranslation, PointsCase{}));
-  // All 53 bits of one number, and one of another far below: whatever is added, a bit is lost.
+  // One number uses all 53 bits, and another has a bit far below: any translation loses a bit.
   const Rational long_number = exact_value(0x1.ffffffffffffdp0);
   CHECK(!image(Relation::kTranslation,
                PointsCase{{{long_number, 0}, {exact_value(0x1.8p-140), 0}}, {}}));

@@ -166,12 +166,12 @@ std::string text(const Verdict& verdict, const Mesh& mesh) {
 }
 
 // What comes up.
-struct Seen {
+struct Outcomes {
   std::map<Rule, std::size_t> broken = {};
   std::size_t held = 0, held_fast = 0;
 };
 
-void compare(std::size_t d, std::size_t k, int inputs, Seen& seen) {
+void compare(std::size_t d, std::size_t k, int inputs, Outcomes& seen) {
   CHECK(holds("by lemma as by definition, and as by the judge of arrays", inputs, [&, d, k] {
     Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
     const ListedComplex listed = drawn(dice, d, k);
@@ -191,7 +191,7 @@ void compare(std::size_t d, std::size_t k, int inputs, Seen& seen) {
 }
 
 void check_all_kinds(int inputs_in_plane, int inputs_in_space) {
-  Seen seen;
+  Outcomes seen;
   compare(2, 2, inputs_in_plane, seen);
   compare(3, 3, inputs_in_space, seen);
   CHECK(occurs(seen.held_fast));

@@ -27,7 +27,7 @@ def test_domains():
     assert not circumspect.check(rounded, halves, domain=SQUARE)
     for within in (1e-9, "1e-9", Fraction(1, 10**9)):
         assert circumspect.check(rounded, halves, domain=SQUARE, within=within)
-    # As many points as the domain, but others, as the command says it.
+    # As many points as the domain, but other ones, in the command's words.
     moved = circumspect.check([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0.5]], fan,
                               domain={**SQUARE, "vertices": [*SQUARE["vertices"], [0.5, 0.25]]})
     assert moved.claim == "steiner-cdt" and "domain.vertex-missing" in moved.rules
@@ -44,7 +44,7 @@ def test_domains():
         [*SQUARE["vertices"], [.25, .25], [.75, .25], [.5, .75]], [*SQUARE["segments"], [4, 5], [5, 6], [6, 4]],
         holes=[[.5, .5]])
     assert len(circumspect.constrained_delaunay(holed).simplices) == 7
-    # A square hole through a cube: without the holes of its lid and its floor there is a shaft to be filled.
+    # A square hole through a cube: without the holes in its lid and floor, the shaft would be filled.
     outer = [[x, y, z] for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
     inner = [[x, y, z] for z in (0, 4) for x, y in ((1, 1), (3, 1), (3, 3), (1, 3))]
     sides = [[s + i, s + (i + 1) % 4, s + (i + 1) % 4 + 4, s + i + 4] for s in (0, 8) for i in range(4)]
@@ -58,7 +58,7 @@ def test_domains():
         volumes.append(np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 6)
         assert circumspect.check(outer + inner, built, domain=domain)
     assert volumes == pytest.approx([64, 48])
-    # Turned by exact numbers, so that neither the lids' planes nor the seeds in them are of doubles.
+    # Turned by exact numbers, so that neither the lids' planes nor the seeds in them have double coordinates.
     third = Fraction(1, 3)
     turned = [[x + third * z, y - third * x, z + third * y] for x, y, z in outer + inner]
     seeds = {8: [[2, 2 - 2 * third, 2 * third]], 9: [[2 + 4 * third, 2 - 2 * third, 4 + 2 * third]]}
@@ -83,7 +83,7 @@ def test_domains():
 
 
 def test_generated_domains_are_those_of_the_command():
-    """Whole: with the holes of their polygons, which are drawn in these families."""
+    """Complete domains, with the holes of their polygons, which these families draw."""
     holes = 0
     for family in (family for family in circumspect.families() if family.is_of_domains):
         for seed in range(40 if family.name == "furnished-boxes" else 3):

@@ -1,4 +1,4 @@
-"""What of a domain is filled, and which of its polygons are one, as the command has it. Run by pytest."""
+"""Which part of a domain is filled, and which of its polygons are joined, as in the command. Run by pytest."""
 import pathlib
 import subprocess
 import types
@@ -11,7 +11,7 @@ import circumspect
 from circumspect import _core
 
 COMMAND = pathlib.Path(_core.__file__).resolve().parents[2] / "bin" / "circumspect"  # of the same build
-# Three squares, one in the other; the second turns the other way about.
+# Three nested squares; the second has the opposite orientation.
 RINGS = [[x, y] for r in (6, 4, 2) for x, y in ((-r, -r), (r, -r), (r, r), (-r, r))]
 LOOPS = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 7], [7, 6], [6, 5], [5, 4], [8, 9], [9, 10], [10, 11], [11, 8]]
 CUBE = [[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -20,7 +20,7 @@ HALVES = [half for a, b, c, d in QUADS for half in ([a, b, c], [a, c, d])]
 
 
 def filled_area(domain):
-    """Of its triangulation, which the judge finds right."""
+    """The area of its triangulation, which the judge finds right."""
     built = circumspect.constrained_delaunay(domain)
     cells = types.SimpleNamespace(points=domain.points, cells_dict={"triangle": built.simplices, "line": built.edges})
     verdict = circumspect.check(cells, domain=domain)
@@ -41,7 +41,7 @@ def test_what_is_filled(options, area, tmp_path):
     assert filled_area(circumspect.domains.domain_of({"points": RINGS, "segments": LOOPS, **options})) == pytest.approx(area)
     if not COMMAND.exists():
         return
-    # The command judges the same mesh of the same domain, and a mesh of the whole, as the package does.
+    # The command and the package judge the same mesh of the same domain, and a mesh of the whole, alike.
     plain = circumspect.Domain(RINGS, LOOPS, kind="enclosed")
     (tmp_path / "d.poly").write_text(_core.poly_text(plain.lists()), encoding="utf-8")
     (tmp_path / "d.node").write_text("".join([f"{len(RINGS)} 2\n", *(f"{i} {x} {y}\n" for i, (x, y) in enumerate(RINGS))]),
@@ -91,7 +91,7 @@ def test_polygons_of_one_plane_are_joined():
     built = circumspect.constrained_delaunay(whole).simplices
     assert circumspect.check(CUBE, built, domain=whole).claim == "cdt"
     assert "domain.segment-missing" in circumspect.check(CUBE, built, domain=cut).rules
-    # A polygon is called by its place in the list of the domain, from 0, and a joined one by that of its first part.
+    # A polygon is named by its place in the domain's list, from 0, and a joined one by that of its first part.
     edges = [[row[i], row[i + 1]] for row in QUADS for i in (-1, 0, 1, 2)]
     missing = circumspect.check(types.SimpleNamespace(points=CUBE, cells_dict={"tetra": built[1:], "line": edges}),
                                 domain=whole)

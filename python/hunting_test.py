@@ -174,7 +174,7 @@ def test_hypothesis_shrinks():
     @hypothesis.given(strategies.domains(dimension=2), strategies.points(families=["grid"], dimension=3, flat=True))
     def right(domain, points):
         assert domain.dimension == 2 and points.shape[1] == 3
-        circumspect.check(np.zeros((0, 2)), [], domain=domain, allow_empty=True)  # which refuses what is no domain
+        circumspect.check(np.zeros((0, 2)), [], domain=domain, allow_empty=True)  # which refuses anything but a domain
         circumspect.assert_delaunay(points, circumspect.delaunay(points))
 
     right()

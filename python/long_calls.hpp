@@ -1,4 +1,4 @@
-// Calls of the C interface that may take long, while other threads of Python go on.
+// Calls of the C interface that may take long, while other Python threads keep running.
 #pragma once
 
 #include <functional>

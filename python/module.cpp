@@ -1,5 +1,6 @@
-// circumspect._core: the C interface, for the package around it; inputs.cpp has the families of inputs. Arrays come
-// in as the package has made them: doubles and indices in C order, or exact numbers as texts.
+// circumspect._core: the C interface, for the package around it; inputs.cpp has the families of
+// inputs. Arrays come in as the package has made them: doubles and indices in C order, or exact
+// numbers as texts.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -137,8 +138,8 @@ class MeshArgument {
   py::tuple arrays_;  // these live as long as this
 };
 
-// (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind, polygons_of_holes,
-// polygon_hole_seeds, region_seeds, merge_coplanar)
+// (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind,
+// polygons_of_holes, polygon_hole_seeds, region_seeds, merge_coplanar)
 class DomainArgument {
  public:
   explicit DomainArgument(const py::tuple& parts)

@@ -1,4 +1,4 @@
-"""The package circumspect: what it takes, what it refuses, and what comes back. Run by pytest."""
+"""The package circumspect: what it accepts, what it refuses, and what it returns. Run by pytest."""
 import decimal
 import doctest
 import html
@@ -101,7 +101,7 @@ def test_nothing_is_rounded():
     on_circle = [[0, 0], [third, 0], [0, third], [third, third]]
     verdict = circumspect.check(on_circle, [[0, 1, 2], [1, 3, 2]])
     assert verdict and verdict.unique is False
-    # 2^53 + 1 is no double, and lies between the two others.
+    # 2^53 + 1 is not a double, and lies between the two others.
     middle = [[2**53, 0], [2**53 + 2, 0], [2**53 + 1, 0]]
     for points in (middle, np.array(middle), np.array(middle, dtype=np.uint64)):
         assert circumspect.check(points, [[0, 2], [2, 1]])
@@ -200,7 +200,7 @@ def test_objects_of_other_libraries():
 
 
 def test_data_sets_of_vtk():
-    """Of VTK itself; pyvista's are such."""
+    """A mesh of VTK itself; pyvista's meshes are of this type, too."""
     vtk = pytest.importorskip("vtk")  # 227 MB: no package of `make test`; debian/fresh_root_test.sh has it
 
     def filled(grid, points, rows, kinds, data_type=vtk.VTK_DOUBLE):
@@ -286,7 +286,7 @@ def test_judging_lets_other_threads_go_on():
 
 
 class TestUnittest(unittest.TestCase):
-    """As people without pytest write it."""
+    """As in tests without pytest."""
 
     def test_assertion(self):
         circumspect.assert_delaunay(POINTS, RIGHT)

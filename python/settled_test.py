@@ -1,4 +1,4 @@
-"""What the package circumspect refuses unless it is asked to let it pass, what ends a long call, and who may write into an
+"""What the package circumspect refuses unless an option allows it, what ends a long call, and who may write into an
 array meanwhile. Run by pytest."""
 import subprocess
 import sys
@@ -11,11 +11,11 @@ import pytest
 import circumspect
 from circumspect import meshes
 
-# A square of two triangles that share no vertex, as of a mesher that forgets to.
+# A square of two triangles that share no vertex, as made by a mesher that forgets to share them.
 TORN = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0], [1, 1]]
 SEAM = [[0, 1, 2], [4, 5, 3]]
 SQUARE = circumspect.Domain(TORN[:4], [[0, 1], [1, 2], [2, 3], [3, 0]])
-# What takes minutes by definition: a fan of points in convex position.
+# A mesh that takes minutes by definition: a fan of points in convex position.
 LONG = np.array([[i, i * i] for i in range(2000)], dtype=float)
 FAN = np.array([[0, i - 1, i] for i in range(2, 2000)])
 
@@ -68,11 +68,11 @@ def test_campaigns_see_equal_points():
         found = circumspect.campaign(torn, isolated=isolated, **options)
         told, = (finding for finding in found.findings if finding.rule == "other-points")
         assert "expected distinct points" in told.report
-    # Merged, the torn mesh is what it was torn from.
+    # Merging the points of the torn mesh restores the original mesh.
     rules = [{finding.rule for finding in circumspect.campaign(function, **more, **options).findings}
              for function, more in ((torn, {"duplicates": "merge"}), (whole, {}))]
     assert rules[0] == rules[1] and "other-points" not in rules[0]
-    # Families that repeat points are for those who say what to do with them.
+    # Families that repeat points need duplicates="merge".
     repeating = [family.name for family in circumspect.families() if family.repeats_points and 2 in family.dimensions]
     once = [circumspect.generate(name, dimension=2, points=12, seed=seed) for name in repeating for seed in range(5)]
     assert any(len(np.unique(points, axis=0)) < len(points) for points in once)
@@ -99,7 +99,7 @@ def test_a_mesh_of_nothing_is_refused():
         circumspect.check(*nothing)
     assert circumspect.check(*nothing, allow_empty=True)
     assert not circumspect.check(*nothing, domain=cube, allow_empty=True)
-    # A mesher that makes nothing of an input has found no fault of the input.
+    # A mesher that makes nothing of an input is wrong; that is not a fault of the input.
     found = circumspect.campaign(lambda domain: nothing, domains=True, cases=3)
     assert found.findings and all(finding.rule.startswith("domain.") for finding in found.findings)
 
@@ -161,7 +161,7 @@ def test_an_interrupt_ends_a_long_call(long_call):
 @pytest.mark.parametrize("call", ["circumspect.check(P, T)", "circumspect.check(LONG, FAN, 'triangulation', by='definition')",
                                   "circumspect.delaunay(P)", "circumspect.campaign(circumspect.delaunay, time=9)"])
 def test_the_interpreter_ends_beside_calls(call):
-    """Of threads that nobody waits for."""
+    """With threads that nothing waits for."""
     program = (
         "import circumspect, atexit, numpy, threading, time\n"
         "atexit.register(lambda: print(circumspect.check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])))\n"
@@ -179,7 +179,7 @@ def test_the_interpreter_ends_beside_calls(call):
 
 
 def test_a_forked_process_ends_by_itself():
-    """It has none of the threads that make calls here, and waits for none of them."""
+    """The child has none of the threads that make calls here, and does not wait for them."""
     program = (
         "import circumspect, numpy, os, sys, threading, time\n"
         "LONG = numpy.array([[i, i * i] for i in range(2000)], dtype=float)\n"
@@ -195,7 +195,7 @@ def test_a_forked_process_ends_by_itself():
 
 
 def test_other_threads_change_the_arrays():
-    """What is judged is a copy: the verdict is of some state, and the process lives."""
+    """A copy is judged: the verdict is about some state of the array, and the process survives."""
     program = (
         "import circumspect, numpy, scipy.spatial, threading\n"
         "points = numpy.random.default_rng(1).random((200_000, 2))\n"

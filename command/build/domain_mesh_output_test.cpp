@@ -9,8 +9,8 @@ namespace {
 
 // A quadrilateral with one Delaunay diagonal.
 const std::string kPlane = "4 2\n1 0 0\n2 3 0\n3 3 1\n4 0 2\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
-// The same in a plane of space.
-const std::string kFlat = "4 3\n1 0 0 5\n2 3 0 5\n3 3 1 5\n4 0 2 5\n1 0\n1\n4 1 2 3 4\n0\n";
+// The same over x and y in a plane of space that is aslant: one with a constant z is the plane.
+const std::string kFlat = "4 3\n1 0 0 5\n2 3 0 8\n3 3 1 8\n4 0 2 5\n1 0\n1\n4 1 2 3 4\n0\n";
 // A tetrahedron; apart from it a triangle and, at one of its corners, a segment.
 const std::string kDangling =
     "8 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 3 3 3\n6 4 3 3\n7 3 4 3\n8 9 9 9\n"
@@ -57,7 +57,7 @@ TEST_CASE("check: a .mesh of dangling triangles that are not Delaunay fails") {
   const std::string domain = folder.write("d.poly", kFlat);
   const std::string mesh =
       folder.write("d.mesh",
-                   "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 5 0 3 0 5 0 3 1 5 0 0 2 5 0 "
+                   "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 5 0 3 0 8 0 3 1 8 0 0 2 5 0 "
                    "Triangles 2 1 2 4 0 2 3 4 0 End");
   const Run checked = run({"check", mesh, "--domain", domain});
   CHECK(checked.exit_code == 1);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command/check/filled_by_cones.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/certificate/document.hpp"
@@ -226,6 +227,12 @@ std::string certificate_fault(const DomainOptions& said) {
 
 namespace {
 
+// What is between a mesh in space and its hull; all simplices, that are to be Delaunay, cannot have points that are nobody's.
+bool may_have_pockets(const Domain& domain, Claim claim) {
+  return domain.complex.ambient_dimension() == 3 && domain.complex.kind == DomainKind::kEnclosed &&
+         claim != Claim::kConformingDelaunay;
+}
+
 // Hole points that options gave the domain, as circumspect-verified is told of them.
 void note_further_holes(const LoadedDomain& loaded, Output& output) {
   const std::vector<Point>& seeds = loaded.domain.complex.hole_seeds;
@@ -259,8 +266,16 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
     return is_written(
         path, [&](std::ostream& out) { certificate::write(out, mesh, *refutation); }, output);
   }
-  const auto document = certificate::domain_certificate_of(
-      mesh, loaded.domain, listed_segments(loaded), verdict.claim(), fillers());
+  auto document = certificate::domain_certificate_of(mesh, loaded.domain, listed_segments(loaded),
+                                                     verdict.claim(), fillers());
+  if (!document && may_have_pockets(loaded.domain, verdict.claim())) {
+    const auto filled = filled_by_cones(mesh);
+    auto with_helpers =
+        filled ? certificate::domain_certificate_of(*filled, loaded.domain, listed_segments(loaded),
+                                                    verdict.claim(), fillers())
+               : document;
+    if (with_helpers) document = std::move(with_helpers);
+  }
   if (!document) {
     output.error(ExitCode::kUsage, "mesh", mesh_name,
                  fmt::format("{}: {}", mesh_name, document.error()));

@@ -6,7 +6,7 @@
 namespace circumspect::cli {
 namespace {
 
-struct MeshesAlone {
+struct SmallMeshes {
   ScratchFolder folder;
   std::string ring =
       write("ring", "8 2 0 0\n0 1 1\n1 -1 1\n2 -1 -1\n3 1 -1\n4 3 3\n5 -3 3\n6 -3 -3\n7 3 -3\n",
@@ -32,7 +32,7 @@ Run judged(const std::string& mesh, std::vector<std::string> more = {}) {
 }  // namespace
 
 TEST_CASE("check --claim complex: a mesh that need not be convex, in words and in JSON") {
-  MeshesAlone meshes;
+  SmallMeshes meshes;
   const Run held = judged(meshes.ring, {"--manifold", "--connected", "--oriented=positive"});
   CHECK(held.exit_code == 0);
   CHECK(has(held.out, "8 points 8 triangles 1 part 8 boundary-facets positive\n"));
@@ -44,7 +44,7 @@ TEST_CASE("check --claim complex: a mesh that need not be convex, in words and i
 }
 
 TEST_CASE("check --claim complex: hanging vertices fail, unless they are allowed") {
-  MeshesAlone meshes;
+  SmallMeshes meshes;
   const Run failed = judged(meshes.hanging);
   CHECK(failed.exit_code == 1);
   CHECK(has(failed.out, "complex.hanging-vertex 1 face 1 2 vertex 4"));
@@ -54,7 +54,7 @@ TEST_CASE("check --claim complex: hanging vertices fail, unless they are allowed
 }
 
 TEST_CASE("check --claim complex: a surface that is open, and equal points that are merged") {
-  MeshesAlone meshes;
+  SmallMeshes meshes;
   CHECK(judged(meshes.surface, {"--oriented", "--manifold"}).exit_code == 0);
   const Run open = judged(meshes.surface, {"--closed"});
   CHECK(open.exit_code == 1);
@@ -70,7 +70,7 @@ TEST_CASE("check --claim complex: a surface that is open, and equal points that 
 }
 
 TEST_CASE("check --claim complex: what contradicts itself is refused, and what makes no sense") {
-  MeshesAlone meshes;
+  SmallMeshes meshes;
   CHECK(run({"check", meshes.ring, "--manifold"}).exit_code == 2);
   CHECK(run({"check", meshes.ring, "--oriented=positive"}).exit_code == 2);
   CHECK(judged(meshes.surface, {"--closed", "--allow", "hanging-vertex"}).exit_code == 2);
@@ -90,7 +90,7 @@ TEST_CASE("check --claim complex: what contradicts itself is refused, and what m
 }
 
 TEST_CASE("check: beside a hull that is not filled, a note says whether the mesh is a complex") {
-  MeshesAlone meshes;
+  SmallMeshes meshes;
   CHECK(has(run({"check", meshes.ring}).out, "with --claim complex it holds"));
   CHECK(has(run({"check", meshes.hanging, "--claim", "triangulation"}).out,
             "with --claim complex it fails, too: complex.hanging-vertex 1"));

@@ -288,14 +288,14 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
   }
   // What circumspect-verified reads (proofs/domains.sh).
   const std::string proof = contents(prefix + "-triangulation.proof");
-  CHECK(begins_with(proof, "circumspect-impossibility 1 plc-triangulation 3 enclosed\n"));
+  CHECK(begins_with(proof, "circumspect-impossibility 2 plc-triangulation 3 enclosed\n"));
   CHECK(has(proof, "\nvertices 14\n"));
   CHECK(has(proof, "\ncandidates 1001\n"));
   const std::string encircled =
       std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/figure-4-15-encircled-segment.poly";
   CHECK(run({"inspect", encircled, "--refutations", prefix}).exit_code == 0);
   CHECK(
-      begins_with(contents(prefix + "-cdt.proof"), "circumspect-impossibility 1 cdt 3 enclosed\n"));
+      begins_with(contents(prefix + "-cdt.proof"), "circumspect-impossibility 2 cdt 3 enclosed\n"));
   CHECK(has(contents(prefix + "-cdt.proof"), "\nsees "));
   const Run absent = run({"replay", folder.path("absent.cnf"), folder.path("absent.drat")});
   CHECK(absent.exit_code == 3);

@@ -22,10 +22,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How often threads look whether there is something for them to do.
+// How often threads check whether there is work for them.
 constexpr std::chrono::milliseconds kTick{20};
 
-// What the threads share. Cases are handed out, and registered, in order.
+// The state that threads share. Cases are handed out, and registered, in order.
 class Campaign {
  public:
   Campaign(const Plan& plan, Journal journal, const std::atomic<bool>& stop)
@@ -42,11 +42,11 @@ class Campaign {
     is_held_back_ = is_tried_ && !plan_.goes_on;
   }
 
-  // What became of a case, and how many points it had.
+  // The outcome of a case, and its number of points.
   struct Ended {
     Outcome outcome;
     std::size_t points = 0;
-    std::optional<TriedCase> tried = {};  // for the trial, if that is open
+    std::optional<TriedCase> tried = {};  // for the trial, if it is still open
   };
 
   // The life of a thread.
@@ -69,7 +69,7 @@ class Campaign {
         finish(*record, runner);
       }
     } catch (const std::system_error& error) {
-      // The disk takes no more, or the like: what is on it is good, and the campaign can go on later.
+      // The disk is full, or the like: what is on it is valid, and the campaign can continue later.
       const std::lock_guard lock(mutex_);
       end_for(error.what());
     } catch (...) {
@@ -81,13 +81,13 @@ class Campaign {
     one_ended_.notify_all();
   }
 
-  // One thread more is about to work, or was not to be had.
+  // One more thread is about to work, or could not be started.
   void expect_one(bool more) {
     const std::lock_guard lock(mutex_);
     working_ += more ? 1 : static_cast<std::size_t>(-1);
     drawing_ += more ? 1 : static_cast<std::size_t>(-1);
   }
-  // Waits for the end, but not longer than this.
+  // Waits for the end, but no longer than this.
   bool is_over_within(std::chrono::milliseconds time) {
     std::unique_lock lock(mutex_);
     return one_ended_.wait_for(lock, time, [this] { return working_ == 0; });
@@ -145,7 +145,7 @@ class Campaign {
     return plan_.seconds && seconds() >= (1 - share) * *plan_.seconds;
   }
 
-  // What a thread found itself it makes a little smaller even when the time is over.
+  // A thread makes its own finding a little smaller even when the time is over.
   std::optional<FindingRecord> take_unfinished(bool in_time) {
     const std::lock_guard lock(mutex_);
     if (must_end() || unfinished_.empty() || (in_time && time_is_over())) return std::nullopt;
@@ -177,7 +177,7 @@ class Campaign {
     return source_of(number).drawn(seed_of_case(plan_.seed, number - plan_.replayed.size()));
   }
 
-  // Only a finding that repeats is one: the first of each signature is run again.
+  // A finding counts only if it repeats, so the first of each signature is run again.
   bool is_new(const Outcome& outcome) {
     const std::lock_guard lock(mutex_);
     const auto is_same = [&](const auto& held_back) {
@@ -192,12 +192,12 @@ class Campaign {
                                                  outcome.signature) != plan_.known.end();
   }
 
-  // What went wrong first is the reason: what goes wrong after that may come of it. Requires: the mutex is locked.
+  // The first failure is the reason: later ones may follow from it. Requires: the mutex is locked.
   void end_for(const std::string& reason) {
     if (not_run_.empty()) not_run_ = reason;
   }
 
-  // What the trial, if it is open, looks at of a case that the runner has just run.
+  // The facts that the trial, if it is open, needs about a case that the runner has just run.
   std::optional<TriedCase> for_trial(std::size_t number, const Input& input, const Outcome& outcome,
                                      const Runner& runner) {
     {
@@ -207,7 +207,8 @@ class Campaign {
     return tried_case(plan_.subject, input, outcome, runner, number < plan_.replayed.size());
   }
 
-  // In the order of cases, so that nothing depends on the number of jobs. Requires: the mutex is locked.
+  // In the order of cases, so that nothing depends on the number of jobs. Requires: the mutex is
+  // locked.
   void go_on_with_trial() {
     for (auto next = waiting_.find(tried_); next != waiting_.end() && next->first == tried_;
          ++next, ++tried_) {
@@ -218,8 +219,8 @@ class Campaign {
     if (trial_.standing() == Trial::Standing::kFailed) end_for(trial_.doubt() + kGoOn);
   }
 
-  // The cases may be over before the trial is. When no thread has any more of them, those that were held back are
-  // registered after all; but what came before an interruption is tried again the next time.
+  // The cases may end before the trial does. When no thread has further cases, those that were held
+  // back are registered after all; but after an interruption they are tried again the next time.
   void end_trial() {
     std::unique_lock lock(mutex_);
     --drawing_;
@@ -241,7 +242,7 @@ class Campaign {
     if (reasons.size() < kMostReasons) ++reasons[outcome.text];
   }
 
-  // Registers the outcome of a case, and of those after it that waited for it. A thread that registers
+  // Registers the outcome of a case, and of later ones that waited for it. A thread that registers
   // new signatures makes their inputs small.
   void add(std::size_t number, Ended ended, Runner& runner) {
     std::vector<FindingRecord> fresh;
@@ -257,7 +258,7 @@ class Campaign {
     for (const FindingRecord& record : fresh) finish(record, runner);
   }
 
-  // The findings among them that are new. Requires: the mutex is locked.
+  // The new findings among them. Requires: the mutex is locked.
   std::vector<FindingRecord> register_waiting() {
     std::vector<FindingRecord> fresh;
     for (auto next = waiting_.begin(); next != waiting_.end() && next->first == registered_;
@@ -270,7 +271,7 @@ class Campaign {
     return fresh;
   }
 
-  // Is it the first with its signature? Then its input is on the disk before the journal says so.
+  // Is it the first with its signature? If so, its input is on the disk before the journal says so.
   bool register_next(const Ended& ended) {
     const Outcome& outcome = ended.outcome;
     const std::size_t number = registered_;
@@ -303,7 +304,8 @@ class Campaign {
     points->second = std::max(points->second, *record.points);
   }
 
-  // An equal part, for each that waits, of the time that is left, but no more than the plan gives one.
+  // The remaining time in equal parts for those that wait, but no more than the plan allows for
+  // one.
   MinimiseLimits limits_now() {
     MinimiseLimits limits = plan_.minimise;
     if (!plan_.seconds) return limits;
@@ -315,7 +317,7 @@ class Campaign {
     return limits;
   }
 
-  // The input to begin with: the one that was found, or what an earlier call made of it.
+  // The input to begin with: the one that was found, or the result of an earlier call.
   Input begun(const FindingRecord& record, const Input& found, Runner& runner) {
     if (!record.is_cut_off) return found;
     const auto reached =
@@ -366,7 +368,7 @@ class Campaign {
   std::mutex mutex_;                   // for all below
   std::condition_variable one_ended_;  // a thread
   Journal journal_;
-  std::size_t working_ = 0;  // threads, of which
+  std::size_t working_ = 0;  // threads; among them
   std::size_t drawing_ = 0;  // these may still have cases to run
   std::size_t given_ = 0;
   std::size_t registered_ = 0;
@@ -395,12 +397,12 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
                                       const std::function<void(const Progress&)>& progress) {
   auto journal = Journal::open(plan.output, plan.settings);
   if (!journal) return tl::unexpected(journal.error());
-  std::optional<Gate> gate;  // Runners use it to their ends.
+  std::optional<Gate> gate;  // Runners use it until they end.
   std::vector<std::unique_ptr<Runner>> runners;
   try {
     gate.emplace(plan.jobs);
     // Runners fork, which is cheapest before there are threads. One more than programs may run: it
-    // judges, and makes the next input ready, while the others wait for theirs.
+    // judges, and prepares the next input, while the others wait for their programs.
     for (std::size_t i = 0; i < plan.jobs + 1; ++i) {
       runners.push_back(std::make_unique<Runner>(plan.subject, gate->turn()));
     }
@@ -415,7 +417,7 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
       threads.emplace_back([&campaign, &runner] { campaign.work(*runner); });
     }
   } catch (const std::system_error&) {
-    // The system gives no more threads: those that there are do the work.
+    // The system allows no more threads, so the existing ones do the work.
     campaign.expect_one(false);
     if (threads.empty()) {
       campaign.expect_one(true);

@@ -37,8 +37,9 @@ std::string segments_text(const PiecewiseLinearInput& input, Vertex first) {
   return text;
 }
 
-// Lists with each polygon what lies in it and is not listed there: a segment is a line of two, a vertex
-// one of one. Book: Definition 4.3, whose faces of a polygon these are; TetGen wants to be told.
+// Adds to each polygon the cells that lie in it and are not listed there: a segment is a line of
+// two vertices, an isolated vertex a line of one. By Definition 4.3 of the book these are faces of
+// the polygon; TetGen needs them listed.
 PiecewiseLinearInput with_all_faces_listed(PiecewiseLinearInput input) {
   const auto complex = validated(input, 1);
   if (!complex) return input;
@@ -93,7 +94,7 @@ bool is_simple(const PolygonLines& polygon) {
   return line.size() >= 3 && std::set<Vertex>(line.begin(), line.end()).size() == line.size();
 }
 
-// Polygons of one outline each, and nothing else; or nothing.
+// Polygons with one outline each, if there is nothing else; otherwise nothing.
 std::optional<Edges> surface(const PiecewiseLinearInput& input) {
   const bool plain = !input.points.empty() && input.points.front().size() == 3 &&
                      input.hole_seeds.empty() && !input.polygons.empty() &&
@@ -151,7 +152,8 @@ std::string rows_after(const std::string& word, const std::vector<Point>& points
   return text;
 }
 
-// Version 2.2, which all programs read: element type 2 is a triangle; one physical and one elementary entity.
+// Version 2.2, which all programs read: element type 2 is a triangle; one physical and one
+// elementary entity.
 std::string msh_text(const PiecewiseLinearInput& input) {
   std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n{}$EndNodes\n",
                                  input.points.size(), counted(input.points, 1)) +

@@ -32,7 +32,7 @@ TEST_CASE("a facet lists the segments and vertices that lie in it") {
   input.segments = {{4, 5}, {0, 4}, {5, 6}};
   CHECK(facets_of(input) ==
         "4 0\n3 0\n4 0 1 2 3\n2 0 4\n2 4 5\n1 0\n2 4 5\n1 0\n2 0 4\n1 0\n2 5 6\n0\n");
-  // What it lists already is not listed again.
+  // Cells that are already listed are not listed again.
   input.polygons[0].lines.insert(input.polygons[0].lines.end(), {{4, 5}, {0, 4}});
   CHECK(facets_of(input) ==
         "4 0\n3 0\n4 0 1 2 3\n2 4 5\n2 0 4\n1 0\n2 4 5\n1 0\n2 0 4\n1 0\n2 5 6\n0\n");

@@ -29,26 +29,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The format in which this program reads inputs itself.
+// The format in which Circumspect itself reads inputs.
 std::string own_extension(const Input& input) {
   return std::holds_alternative<ComplexCase>(input) ? ".poly" : ".node";
 }
 
-// Whole or not at all, and on the disk.
+// Writes the file whole or not at all, and to the disk.
 void write_durably(const std::string& path, const std::string& text) {
   const int reason = formats::write_whole_file(path, text);
   if (reason != 0) throw std::system_error(reason, std::generic_category(), path);
 }
 
-// Makes a folder in one that is there. A link or a file in its place is not a folder, wherever it
+// Makes a folder in an existing one. A link or a file in its place is not a folder, wherever it
 // leads.
 void make_folder(const std::string& path) {
   if (mkdir(path.c_str(), 0777) == 0 || (errno == EEXIST && is_folder(path))) return;
   throw std::system_error(errno == EEXIST ? ENOTDIR : errno, std::generic_category(), path);
 }
 
-// A folder that the journal does not name was begun when this process, or the one before it, was killed, and holds
-// an input at most. Anything else in it is somebody else's, and stays as it is.
+// A folder that the journal does not name was begun when this process, or an earlier one, was
+// killed, and holds at most an input. Anything else in it belongs to someone else, and is not
+// touched.
 void expect_ours(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().stem() == "input") continue;
@@ -72,13 +73,13 @@ void write_input_as(const std::string& stem, const Subject& subject, const Input
 constexpr std::uintmax_t kLargestCopy = 1 << 20;
 constexpr std::size_t kMostCopies = 100;
 
-// What cannot be read whole is left out, too.
+// Files that cannot be read completely are left out, too.
 void copy_file(const std::string& from, const std::string& to, const Runner& runner) {
   const formats::Result<formats::Source> source = formats::load(from);
   if (source) write_durably(to, runner.without_places(source->text));
 }
 
-// What the program wrote, without its input.
+// The files that the program wrote, without its input.
 void copy_output(const std::string& folder, const Subject& subject, const Runner& runner) {
   std::error_code error;
   removed(folder + "/output");
@@ -137,7 +138,8 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       outcome.explanation);
 }
 
-// The points as the language of a worker writes them, by the name of one of its files; otherwise one on a line.
+// The points as literals in the worker's language, which the name of one of its files tells;
+// otherwise one on a line.
 std::string snippet(const Subject& subject, const PointsCase& set) {
   std::string opening = "points = [";
   std::string closing = "]";
@@ -211,8 +213,8 @@ std::string issue(const Subject& subject, const Input& minimal, const Outcome& o
       has_picture ? "![The first witness](picture.svg)\n\n" : "");
 }
 
-// "$(printf 'a\012b')": a word with control characters that shows none. The shell cuts off line ends at the end
-// of what is printed.
+// "$(printf 'a\012b')": a word that has control characters but shows none. The shell removes line
+// ends at the end of the output.
 std::string printed_by_shell(const std::string& text) {
   const std::size_t end = text.find_last_not_of('\n') + 1;
   std::string word = "\"$(printf '";
@@ -225,7 +227,7 @@ std::string printed_by_shell(const std::string& text) {
   return word + "')\"" + (end < text.size() ? "'" + text.substr(end) + "'" : "");
 }
 
-// A name of a file in the folder of the script that no program takes for an option.
+// The name of a file in the script's folder, in a form that no program takes for an option.
 std::string in_folder(const std::string& name) { return name[0] == '-' ? "./" + name : name; }
 
 std::string check_line(const Subject& subject, const Input& minimal, const std::string& stem) {
@@ -245,7 +247,7 @@ std::string check_line(const Subject& subject, const Input& minimal, const std::
   return line + (repeats ? " --duplicates merge" : "");
 }
 
-// Where a script was given the name of a file.
+// Whether a script was given the name of a file.
 constexpr const char* kPage = " ${page:+--html \"$page\"}";
 
 }  // namespace
@@ -289,7 +291,7 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   write_durably(folder + "/verdict.json", report::document_text(document));
   write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
   const std::string picture = witness_picture(outcome.verdict);
-  removed(folder + "/picture.svg");  // of what was minimal before
+  removed(folder + "/picture.svg");  // of the previous minimal input
   if (!picture.empty()) write_durably(folder + "/picture.svg", picture);
   write_durably(folder + "/issue.md", issue(subject, minimal, outcome, !picture.empty()));
   write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));
@@ -353,7 +355,8 @@ std::string command_line(const Subject& subject) {
 }
 
 std::string reproduction(const Subject& subject, const Input& minimal, const Outcome& outcome) {
-  // The paths in the arguments are those of the folder that the script makes: names without it do.
+  // The paths in the arguments are in the folder that the script makes, so names without a folder
+  // suffice.
   Subject own = subject;
   own.command =
       filled_in(subject, {".", in_folder(subject.input_name), in_folder(subject.mesh_name)});

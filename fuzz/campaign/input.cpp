@@ -57,7 +57,7 @@ std::string case_text(const PointsCase& set, std::size_t dimension) {
          (set.weights.empty() ? " 0" : " 1") + " 0 0 0\n" + xyz_text(set);
 }
 
-// The same with a seventh count and the updates. A point is named by its place among those that are there.
+// The same with a seventh count and the updates. A point is named by its place among those present.
 std::string case_text(const UpdatesCase& whole, std::size_t dimension) {
   using generators::UpdateKind;
   std::vector<std::size_t> present = first_places(whole);
@@ -97,7 +97,7 @@ bool read_point(std::istream& line, std::size_t dimension, bool has_weight, Poin
   return true;
 }
 
-// Reads an update; the points that are there are kept in step.
+// Reads an update, and updates the list of points present.
 bool read_update(std::istream& line, std::size_t dimension, bool has_weight, UpdatesCase& whole,
                  std::vector<std::size_t>& present) {
   using generators::UpdateKind;
@@ -136,7 +136,7 @@ std::string points_text(const PointsCase& set, const std::string& extension, Ver
   return text.str();
 }
 
-// Making numbers small tries multiples of them that no double reaches.
+// Making numbers small tries multiples that are beyond all doubles.
 using generators::is_double;
 
 bool are_doubles(const std::vector<Rational>& numbers) {

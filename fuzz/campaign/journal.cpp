@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kHeading = "circumspect-campaign 1";
 
-// Tabs and line ends part the fields: in values they are blanks.
+// Tabs and line ends separate the fields, so in values they become blanks.
 std::string field(std::string text) {
   for (char& c : text) {
     if (c == '\t' || c == '\n' || c == '\r') c = ' ';
@@ -57,7 +57,7 @@ std::string difference(const Settings& old, const Settings& now) {
   return "";
 }
 
-// A number of a case, or nothing.
+// The number of a case, or nothing.
 std::optional<std::size_t> number_of(const std::string& text) {
   std::size_t number = 0;
   const char* const end = text.data() + text.size();
@@ -65,7 +65,8 @@ std::optional<std::size_t> number_of(const std::string& text) {
   return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
 }
 
-// A signature is also the name of a folder: what the journal says must not lead out of the findings.
+// A signature is also the name of a folder, so a signature in the journal must not lead out of the
+// findings.
 bool is_signature(const std::string& text) {
   const auto is_allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '-' || c == '.';
@@ -106,7 +107,7 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
   if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0) {
     return tl::unexpected(path + ": another campaign writes to it just now");
   }
-  // All of it or nothing: what stands behind the last whole line that was read is cut off below.
+  // All of it or nothing: text after the last whole line that was read is cut off below.
   const formats::Result<formats::Source> source = formats::load(path);
   if (!source) return tl::unexpected(source.error().to_string());
   std::size_t complete = 0;
@@ -150,8 +151,8 @@ std::string Journal::parse(const std::string& text, const Settings& settings,
                ? ""
                : "expected a journal of a campaign, found something else";
   }
-  // The settings are written before any case. Where there is none, this is the beginning, whatever they say: a campaign
-  // whose command was wrong leaves them.
+  // The settings are written before any case. If there is no case, this is a new beginning,
+  // whatever the settings say: a campaign whose command was wrong leaves them.
   if (cases_.empty() && findings_.empty()) {
     complete = 0;
     return "";
@@ -199,7 +200,7 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
 }
 
 void Journal::write(const std::string& line, bool to_disk) {
-  // An append-only file that nobody else writes: the line is there as a whole or cut off.
+  // The file is append-only and has no other writer, so the line is complete or cut off.
   for (std::size_t at = 0; at < line.size();) {
     const ssize_t written = ::write(file_, line.data() + at, line.size() - at);
     if (written < 0 && errno == EINTR) continue;

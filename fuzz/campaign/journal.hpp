@@ -13,12 +13,13 @@ namespace circumspect::campaign {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped", "flaky", "known".
+// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped",
+// "flaky", "known".
 struct CaseRecord {
   std::string family;
   std::string what;
   bool is_finding = false;
-  std::optional<std::size_t> points = {};  // that it had; older journals do not say
+  std::optional<std::size_t> points = {};  // that it had; not in older journals
 };
 
 // The first case with a signature.
@@ -26,35 +27,36 @@ struct FindingRecord {
   std::string signature;
   std::size_t case_number = 0;
   bool is_minimised = false;
-  bool is_cut_off = false;  // the time was over: minimal.* is where making it small goes on
+  bool is_cut_off = false;  // the time was over: making it small continues from minimal.*
 };
 
 // A file to which lines are added, in the order of the cases:
 //
 //   circumspect-campaign 1
 //   setting ⇥ NAME ⇥ VALUE          all at the beginning
-//   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete, but for the
-//   minimised ⇥ SIGNATURE            smallest input, which comes with this line
+//   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete except for
+//   minimised ⇥ SIGNATURE            the smallest input, which comes with this line
 //   cut-off ⇥ SIGNATURE              or with this one, if there was no time to make it smaller
 //   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|known|finding ⇥ WHAT ⇥ POINTS
 //
-// A line that an interrupt cut off is dropped: that case is run again. Lines about findings are forced
-// to the disk (fsync), those about cases outlive this process but may be lost when the machine fails.
+// A line that an interruption cut off is dropped, and its case is run again. Lines about findings
+// are forced to the disk (fsync); those about cases survive this process, but may be lost when the
+// machine fails.
 class Journal {
  public:
-  // Opens the journal in a folder, or begins one. Errors: the settings are not those it began with
-  // (the message says which), it is not a journal, or it cannot be written.
+  // Opens the journal in a folder, or begins one. Errors: the settings are not those that it began
+  // with (the message says which), it is not a journal, or it cannot be written.
   static tl::expected<Journal, std::string> open(const std::string& folder,
                                                  const Settings& settings);
   ~Journal();
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
 
-  // What it held when it was opened.
+  // Its contents when it was opened.
   const std::vector<CaseRecord>& cases() const { return cases_; }
   const std::vector<FindingRecord>& findings() const { return findings_; }
 
-  // Throw std::system_error if the disk takes no more.
+  // These throw std::system_error if the disk is full.
   void add_finding(const std::string& signature, std::size_t case_number);
   void add_minimised(const std::string& signature);
   void add_cut_off(const std::string& signature);
@@ -62,7 +64,7 @@ class Journal {
 
  private:
   Journal() = default;
-  // What is wrong with the text, or an empty string; `complete`: the bytes of its whole lines.
+  // The fault of the text, or an empty string; `complete`: the bytes of its whole lines.
   std::string parse(const std::string& text, const Settings& settings, std::size_t& complete);
   std::string parse_line(const std::vector<std::string>& fields);
   void write(const std::string& line, bool to_disk);

@@ -135,7 +135,7 @@ TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {
 
 namespace {
 
-// Of one witness, which is told as JSON.
+// The picture of one witness, given as JSON.
 std::string drawn(const std::string& witness) {
   return witness_picture(report::Json::parse("{\"violations\": [" + witness + "]}"));
 }
@@ -160,7 +160,8 @@ TEST_CASE("a witness is drawn in the plane and, aslant, in space") {
   const std::string plane = drawn(R"({"simplices": [[1, 2, 3]], "face": [1, 2], "vertices": [4],
       "coordinates": {"1": ["0", "0"], "2": ["4", "0"], "3": ["0", "4"], "4": ["1", "1"]}})");
   CHECK(plane.rfind("<svg xmlns=", 0) == 0);
-  // The lower left corner, the lower right one and the upper left one; the ring is around the fourth.
+  // The lower left corner, the lower right one and the upper left one; the ring is around the
+  // fourth.
   CHECK(plane.find("M30.00 330.00 L330.00 330.00 L30.00 30.00 Z") != std::string::npos);
   CHECK(plane.find("M30.00 330.00 L330.00 330.00 Z\" fill=\"none\" stroke=\"black\"") !=
         std::string::npos);
@@ -209,7 +210,7 @@ TEST_CASE("exact places of thousands of digits are drawn, and labels that would 
                                 R"("], "2": ["0", ")" + huge + R"("]}})");
   CHECK(far.find("M330.00 255.00 L30.00 255.00 L180.00 105.00 Z") != std::string::npos);
   check_numbers(far);
-  // The extent is the smallest there is, far from the origin.
+  // The extent is the smallest possible, far from the origin.
   const std::string near =
       drawn(R"({"simplices": [[0, 1, 2]], "coordinates": {"0": [")" + huge + R"(", ")" + third +
             R"("], "1": [")" + huge + R"(", "0"], "2": [")" + huge + R"(", "1/6)" +

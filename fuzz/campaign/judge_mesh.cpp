@@ -66,8 +66,8 @@ Mesh mesh_of_points(const PointsCase& set, std::size_t dimension) {
   return mesh;
 }
 
-// The weights that the input gives to these points, which are in another order. Of equal points each has
-// that of the one that counts.
+// The input's weights for these points, which are in another order. Each of several equal points
+// has the weight of the one that counts.
 std::vector<Rational> weights_of(const std::vector<Point>& points, const PointsCase& set,
                                  std::size_t dimension) {
   Mesh given = mesh_of_points(set, dimension);
@@ -87,7 +87,8 @@ formats::MeshRequest request_for(const Subject& subject, const std::string& path
   return request;
 }
 
-// The mesh in the file, of the points of the input: with their weights, if the claim is about those.
+// The mesh in the file, over the points of the input, with their weights if the claim is about
+// these.
 formats::Result<Mesh> mesh_of(const Subject& subject, const PointsCase& set,
                               const std::string& path) {
   formats::MeshRequest request = request_for(subject, path);
@@ -131,8 +132,8 @@ formats::Result<formats::MeshFile> mesh_with_own_points(const std::string& path)
   return formats::read_mesh(request, 1);
 }
 
-// What of the domain is filled, and which of its polygons are one, is as the subject says. Nothing if its walls
-// are not turned one way. Requires: a valid domain.
+// The subject says which part of the domain is filled, and which polygons are joined. Nothing if
+// its walls are not consistently oriented. Requires: a valid domain.
 std::optional<PiecewiseLinearComplex> held_against(const Subject& subject,
                                                    const ComplexCase& given) {
   const ComplexCase whole = tidy(subject, given);
@@ -154,7 +155,7 @@ Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const st
   if (!file) return unreadable(file.error().to_string());
   const Mesh& mesh = file->mesh;
   auto complex = held_against(subject, whole);
-  assert(complex);  // otherwise there was a reason to skip it
+  assert(complex);  // otherwise the case would have been skipped
   Domain domain{std::move(*complex), {}, subject.first_index, {}};
   const std::size_t dimension = domain.complex.ambient_dimension();
   if (mesh.points() > 0 && mesh.dimension() != dimension) {
@@ -170,8 +171,8 @@ Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const st
                       std::to_string(first.again + mesh.first_index) + " equal");
 }
 
-// The mesh for somebody who looks at its indices alone. Simplices that have a vertex too many for the
-// points are read as of points in a space of one dimension more.
+// The mesh for checks that use only its indices. If simplices have a vertex too many for the
+// points, it is read as a mesh of points in one dimension more.
 formats::Result<Mesh> mesh_of_any_dimension(const Subject& subject, const Input& input,
                                             const std::string& path) {
   const auto set = judged_points(input);
@@ -192,8 +193,8 @@ std::string space_of(std::size_t dimension) {
   return "in dimension " + std::to_string(dimension);
 }
 
-// In which dimension all simplices of the mesh are full, if that is not the dimension of the inputs.
-// Of flat points, meshes have simplices of fewer vertices.
+// In which dimension all simplices of the mesh are full, if that is not the dimension of the
+// inputs. For flat points, meshes have simplices with fewer vertices.
 std::string misunderstood_dimension(const Subject& subject, const Input& input, const Mesh& mesh) {
   const std::size_t vertices = mesh.simplices.columns();
   if (vertices < 2 || vertices == subject.dimension + 1 || is_flat(subject, input)) return "";
@@ -202,7 +203,7 @@ std::string misunderstood_dimension(const Subject& subject, const Input& input, 
          " vertices; should it be --dimension " + std::to_string(vertices - 1) + "?";
 }
 
-// By how much all indices are to be moved so that they may name points; 0 if they may do so as they are.
+// The shift of all indices that makes them name points; 0 if they already do.
 Vertex misplaced_by(const Mesh& mesh) {
   const auto points = static_cast<Vertex>(mesh.points());
   Vertex least = points, largest = -1;
@@ -214,7 +215,8 @@ Vertex misplaced_by(const Mesh& mesh) {
   return 0;
 }
 
-// Does the mesh hold with its indices moved by so much? Of points it is enough that it is a triangulation.
+// Does the mesh hold with its indices shifted by so much? For points it is enough that it is a
+// triangulation.
 bool holds_when_moved(const Subject& subject, const Input& input, Mesh mesh, Vertex by) {
   std::vector<Simplex> simplices = mesh.simplices.lists();
   for (Simplex& simplex : simplices) {
@@ -234,7 +236,7 @@ bool holds_when_moved(const Subject& subject, const Input& input, Mesh mesh, Ver
   return verdict && verdict->holds();
 }
 
-// The simplices by the coordinates of their vertices, in an order that says nothing.
+// The simplices by the coordinates of their vertices, in a canonical order.
 std::vector<std::vector<Point>> corners_of(const ExactMesh& mesh) {
   std::vector<std::vector<Point>> all;
   for (const Simplex& simplex : mesh.simplices) {

@@ -18,7 +18,7 @@ Input minimised(const Input& input, const std::string& signature, Runner& runner
         },
         input);
   };
-  // A worker that has had cases before is fast, but may answer wrongly on account of those.
+  // A worker that has had earlier cases is fast, but these may cause wrong answers.
   Input small = made_small(false);
   if (stop || runner.run_anew(small).signature == signature) return small;
   return made_small(true);

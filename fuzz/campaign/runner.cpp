@@ -30,10 +30,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What work of our own for a run may have, in the memory of the program.
+// The memory for our own work on a run, as a multiple of the program's.
 constexpr std::uint64_t kJudgingMemory = 4;
 
-// A file system in memory is faster, and wears nothing out. A container may have a very small one.
+// A file system in memory is faster and does not wear out a disk. A container may have a very small
+// one.
 fs::path place_for_scratch(const Limits& limits) {
   const fs::path memory = "/dev/shm";
   std::error_code error;
@@ -53,13 +54,13 @@ std::string new_scratch_folder(const Limits& limits) {
   return path;
 }
 
-// Is it a file, and not a pipe or a link that would lead a reader astray?
+// Is it a file, and not a pipe or a link that would mislead a reader?
 bool is_plain_file(const std::string& path) {
   struct stat status {};
   return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-// What keeps us from reading any file, or this one: not what a program may do to its own files.
+// Our own errors in reading a file, as opposed to what a program may do to its own files.
 std::string why_not_read(const std::string& path) {
   char byte = 0;
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -70,7 +71,7 @@ std::string why_not_read(const std::string& path) {
   return ours ? path + ": " + std::strerror(reason) : "";
 }
 
-// The beginning of a file, about as much of it as a person reads.
+// The beginning of a file, about as much as a person reads.
 std::string beginning_of(const std::string& path) {
   constexpr std::size_t kBytes = 8000;
   struct stat status {};
@@ -89,7 +90,7 @@ std::string signal_name(int number) {
   return name == nullptr ? std::to_string(number) : std::string("SIG") + name;
 }
 
-// The line that says most: the first that speaks of an error, else the last.
+// The most informative line: the first that mentions an error, else the last.
 std::string telling_line(const std::string& text) {
   std::istringstream lines(text);
   std::string last;
@@ -108,7 +109,7 @@ bool speaks_of_memory(const std::string& text) {
          has("memory exhausted");
 }
 
-// How much of its answer a worker that was killed had given.
+// How much of its answer a killed worker had given.
 std::string missing_lines(const Ended& ended) {
   if (ended.expected_lines == 0) return "";
   return fmt::format(": expected {} of its answer, found {}",
@@ -119,7 +120,7 @@ Outcome not_run(const std::string& text) {
   return {OutcomeKind::kNotRun, word(OutcomeKind::kNotRun), text};
 }
 
-// Is there so little room left that a program may have failed for want of it?
+// Is there so little disk space left that a program may have failed because of it?
 bool is_full(const std::string& folder) {
   struct statvfs status {};
   constexpr std::uint64_t kNeeded = 1 << 20;
@@ -184,10 +185,10 @@ std::string Runner::without_places(std::string text) const {
   return text;
 }
 
-// The folder of the last run may resist; then it is left, and the next one has another. The program
-// may have deleted the one around it.
+// If the folder of the last run cannot be emptied, it is left, and the next run gets another one.
+// The program may have deleted the folder around it.
 std::string Runner::prepare_work_folder() {
-  // A link in its place would lead to files of somebody else's, which are not to be deleted.
+  // A link in its place would lead to other people's files, which must not be deleted.
   if (!is_folder(scratch_) && (!removed(scratch_) || mkdir(scratch_.c_str(), 0700) != 0)) {
     return scratch_ + ": " + std::strerror(errno);
   }
@@ -230,7 +231,7 @@ Outcome Runner::run(const Input& input, bool anew) {
   return after_relations(input, std::move(outcome), anew);
 }
 
-// A program that is right, or says no, has to do the same when nothing has changed that counts.
+// A program that is right, or refuses, must do the same when nothing relevant has changed.
 Outcome Runner::after_relations(const Input& input, Outcome outcome, bool anew) {
   for (const generators::Relation relation : subject_.relations) {
     auto changed = image_of(relation, input);
@@ -257,7 +258,7 @@ Outcome Runner::after_relations(const Input& input, Outcome outcome, bool anew) 
   return outcome;
 }
 
-// What both get right, where there is more than one right answer, may differ.
+// If there is more than one right answer, both may be right and differ.
 Outcome Runner::against_other(const Input& input, Outcome outcome, bool anew) {
   const Outcome theirs = anew ? other_->run_anew(input) : other_->run(input);
   if (theirs.kind == OutcomeKind::kInterrupted || theirs.kind == OutcomeKind::kNotRun)
@@ -303,7 +304,7 @@ Outcome Runner::run_once(const Input& input, bool anew) {
                               subject_.dimension);
   if (!text) return {OutcomeKind::kSkipped, "skipped", "the format has no way to say this input"};
   Outcome outcome = run_on(input, *text, anew);
-  // Anybody may have killed the supervisor: only a program that does it again is to blame.
+  // Someone else may have killed the supervisor: only a program that does it again is to blame.
   if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text, anew);
   if (!is_finding(outcome.kind)) return outcome;
   if (is_full(scratch_)) return not_run(scratch_ + ": the disk is full");
@@ -396,8 +397,8 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
   return judged_in_time(input, mesh);
 }
 
-// Why an input is skipped, within the limits of judging; nothing if it was interrupted. To look at a domain in space may
-// take as long as to judge a mesh of it.
+// Why an input is skipped, within the limits of judging; nothing if it was interrupted. Examining a
+// domain in space may take as long as judging a mesh of it.
 std::optional<std::string> Runner::reason_in_time(const Input& input) const {
   if (!subject_.is_about_domains() || subject_.dimension < 3)
     return reason_to_skip(subject_, input);
@@ -419,7 +420,7 @@ std::optional<std::string> Runner::reason_in_time(const Input& input) const {
   return apart.text;
 }
 
-// The numbers of a small file are short, and what they say is soon judged: a process apart would take longer.
+// A small file has short numbers and is judged quickly: a separate process would take longer.
 Outcome Runner::judged_in_time(const Input& input, const std::string& mesh) const {
   constexpr std::uintmax_t kSmallFile = 4096;
   constexpr std::size_t kFewPoints = 64;

@@ -64,7 +64,8 @@ TEST_CASE("numbers that no double reaches, as making others small tries them, ar
   }
 }
 
-// A worker: `script` is run for each case, when $count and $dimension have been read, and $points lines.
+// A worker: `script` is run for each case, when $count and $dimension have been read, and $points
+// lines.
 Subject worker(const std::string& script) {
   Subject subject = shell(
       "while read count dimension rest; do points=''; i=0; while [ $i -lt $count ]; do read line; "
@@ -104,7 +105,7 @@ TEST_CASE("what is no answer says what was expected and found") {
   const auto text_of = [](const std::string& script) {
     const Subject subject = worker(script);
     Runner runner(subject);
-    // In a process of its own, and in one that goes on.
+    // In a process of its own, and in one that keeps running.
     const Outcome first = runner.run(kTetrahedron);
     const Outcome second = runner.run(kTetrahedron);
     CHECK(first.text == second.text);
@@ -142,7 +143,7 @@ TEST_CASE("a worker that is wrong only since it had other cases before is flaky"
 
 TEST_CASE("the points that are there in the end are those whose mesh is judged") {
   using generators::UpdateKind;
-  // (1, 1, 1) goes, and a corner that went comes back.
+  // (1, 1, 1) is deleted, and a deleted corner comes back.
   const UpdatesCase whole = {
       {{{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}}, {}},
       {{UpdateKind::kDelete, 1},
@@ -180,7 +181,7 @@ TEST_CASE("what a program does may not change with what does not count") {
   CHECK(refused.signature == "refused-after-reflection");
   REQUIRE(refused.image);
   CHECK(std::get<PointsCase>(*refused.image).points[1] == Point{-1, 0, 0});
-  // Refused, but not when it is reflected: that is not a way to refuse either.
+  // It is refused, but not when it is reflected: that is not a proper refusal, either.
   subject.command[2] = "grep -q -e ' -' $0 || exit 9; echo '1 4 0\n0 0 1 2 3' > $1";
   CHECK(Runner(subject).run(kTetrahedron).signature == "refused-after-reflection");
   subject.command[2] = "exit 9";
@@ -207,7 +208,7 @@ TEST_CASE("a program is held against another one that gets it right") {
   const Outcome differs = Runner(subject).run(kite);
   CHECK(differs.kind == OutcomeKind::kDiffers);
   CHECK(differs.signature == "other-mesh");
-  // Of four points on a circle there are two Delaunay triangulations.
+  // Four points on a circle have two Delaunay triangulations.
   subject.command = shell("echo '2 3 0\n0 0 1 3\n1 0 2 3' > $1").command;
   const Outcome either = Runner(subject).run(square);
   CHECK(either.kind == OutcomeKind::kHolds);
@@ -272,11 +273,12 @@ TEST_CASE(
   CHECK(Runner(subject).run(soup).text == "the domain is not valid");
   subject.is_untidy = true;
   CHECK(Runner(subject).run(soup).kind == OutcomeKind::kHolds);
-  // A segment from the inside through the floor, half of which is in the domain: both halves are wanted.
+  // A segment from the inside through the floor, with only half of it in the domain: both halves
+  // are required.
   soup.input.points.insert(soup.input.points.end(), {{0.25, 0.25, 0.25}, {0.25, 0.25, -0.25}});
   soup.input.segments = {{12, 13}};
   CHECK(Runner(subject).run(soup).signature == "domain.vertex-missing");
-  // Polygons that cross are told by name.
+  // Polygons that cross are named.
   soup.input.points.push_back({0.5, 0.25, 0.25});
   soup.input.polygons.push_back({{{12, 13, 14}}, {}});
   CHECK(Runner(subject).run(soup).text ==
@@ -339,7 +341,7 @@ TEST_CASE("a link in the place of the scratch folder leads nobody to what it sho
 }
 
 TEST_CASE("judging has a limit, an outcome of its own, and can be interrupted") {
-  // A million equal simplices: more than can be judged in the time.
+  // A million equal simplices: too many to judge in the time.
   Subject subject = shell("echo '1000000 4 0' > $1; seq 0 999999 | sed 's/$/ 0 1 2 3/' >> $1");
   subject.judging_seconds = 0.05;
   const Outcome outcome = Runner(subject).run(kTetrahedron);
@@ -364,7 +366,7 @@ TEST_CASE("what is judged apart is judged alike") {
     const Subject subject = shell(before + "echo '1 4 0\n0 0 1 2 2' >> $1");
     return Runner(subject).run(kTetrahedron);
   };
-  // Longer than what is judged at once, for its comment.
+  // Its comment makes it longer than files that are judged in this process.
   const Outcome apart = outcome_of("printf '#%5000s\\n' x > $1; ");
   const Outcome at_once = outcome_of("");
   CHECK(apart.kind == OutcomeKind::kFails);

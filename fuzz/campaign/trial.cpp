@@ -11,10 +11,10 @@
 namespace circumspect::campaign {
 namespace {
 
-// After so many cases that say nothing, the campaign is left alone.
+// After so many inconclusive cases, the trial ends.
 constexpr std::size_t kMostLooks = 100;
 
-// The signature without what sets apart inputs: a program that cannot start does not start on any.
+// The signature without the suffixes for inputs: a program that cannot start fails on every input.
 std::string without_marks(const std::string& signature) {
   return signature.substr(0, std::min(signature.find("-extreme"), signature.find("-flat")));
 }
@@ -23,7 +23,7 @@ bool breaks(const TriedCase& one, Rule rule) {
   return one.signature.rfind(identifier(rule), 0) == 0;
 }
 
-// Does it say nothing of the command?
+// Is it inconclusive about the command?
 bool says_nothing(const TriedCase& one) {
   switch (one.kind) {
     case OutcomeKind::kSkipped:
@@ -38,7 +38,7 @@ bool says_nothing(const TriedCase& one) {
   }
 }
 
-// Was there no mesh of the input, or is it one only when it is read otherwise?
+// Was there no mesh of the input, or is it one only if it is read in another way?
 bool is_failure(const TriedCase& one) {
   if (one.kind == OutcomeKind::kFails) {
     return !one.misunderstanding.empty() || breaks(one, Rule::kUnknownVertex) ||
@@ -58,7 +58,7 @@ TriedCase tried_case(const Subject& subject, const Input& input, const Outcome& 
                      const Runner& runner, bool is_replayed) {
   TriedCase tried{outcome.kind, outcome.signature, outcome.text, runner.first_line_said()};
   tried.is_replayed = is_replayed;
-  // An image is another input than this one, and was tried because the program was right about this one.
+  // An image is a different input, and was tried because the program was right on this one.
   if (outcome.image) tried.kind = OutcomeKind::kDiffers;
   if (tried.kind == OutcomeKind::kHolds) {
     tried.is_trivial = point_count(input) <= subject.dimension + 1 || is_flat(subject, input);
@@ -96,14 +96,14 @@ std::string Trial::doubt() const {
     return fmt::format("{} ({} of the {} inputs on which the program fails)", text, count,
                        failures_);
   }
-  // The first of the most frequent kind says what happened.
+  // The first case of the most frequent kind tells what happened.
   std::string said =
       signatures_.size() == 1
           ? first_.text
           : fmt::format("{} of {} times {}; the first time {}", most_frequent(signatures_).second,
                         failures_, most_frequent(signatures_).first, first_.text);
   const std::string quoted = formats::quote(first_.first_line);
-  // Python's traceback says at its end what is wrong, and nothing on its first line.
+  // A Python traceback names the error at its end, and its first line says nothing.
   const bool says_more = !first_.first_line.empty() && said.find(quoted) == std::string::npos &&
                          first_.first_line.rfind("Traceback", 0) != 0;
   if (says_more) said += ", and said " + quoted;

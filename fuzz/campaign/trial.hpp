@@ -1,4 +1,5 @@
-// The first inputs of a campaign try its command: does the program read what it is given, and is it understood?
+// The first inputs of a campaign test its command: does the program read its input, and does the
+// campaign understand its answers?
 #pragma once
 
 #include <cstddef>
@@ -11,26 +12,28 @@
 
 namespace circumspect::campaign {
 
-// What a trial looks at of a case.
+// What a trial needs to know about a case.
 struct TriedCase {
   OutcomeKind kind = OutcomeKind::kInterrupted;
   std::string signature = {};
-  std::string text = {};              // of the outcome
-  std::string first_line = {};        // that the program said
+  std::string text = {};              // from the outcome
+  std::string first_line = {};        // that the program printed
   std::string misunderstanding = {};  // judge_mesh.hpp
-  bool is_replayed = false;  // from a file, which may well be there because the program fails on it
-  bool is_trivial = false;   // the right mesh has one simplex of full dimension, or none
+  bool is_replayed = false;           // from a file, perhaps kept because the program fails on it
+  bool is_trivial = false;            // the right mesh has one simplex of full dimension, or none
 };
 
 // `runner` has just run the program on the input, with this outcome.
 TriedCase tried_case(const Subject& subject, const Input& input, const Outcome& outcome,
                      const Runner& runner, bool is_replayed);
 
-// A program that cannot start fails on every input, and so does one whose answers are not understood. Neither is worth
-// a finding: whoever wrote the command wants to hear of it before anything is made small.
+// A program that cannot start fails on every input, and so does one whose answers are not
+// understood. Neither is worth a finding: the author of the command wants to know before anything
+// is made small.
 //
-// Whether a mesh breaks a rule says nothing here, as long as it is a mesh of the input: a program may be wrong
-// on all inputs. Nor does a program that refuses an input, or is right about one with a simplex at most.
+// A mesh that breaks a rule does not count here, as long as it is a mesh of the input: a program
+// may be wrong on all inputs. Nor does it count if a program refuses an input, or is right on one
+// with at most one simplex.
 class Trial {
  public:
   static constexpr std::size_t kFailures = 10;
@@ -41,7 +44,7 @@ class Trial {
   // In the order of the cases.
   void look(const TriedCase& one);
 
-  // What is to be said of the command, in one line; empty if the program has done what it should, or has
+  // The doubt about the command, in one line; empty if the program has done what it should, or has
   // not been seen to fail.
   std::string doubt() const;
 
@@ -55,7 +58,7 @@ class Trial {
   TriedCase first_;
 };
 
-// The note behind a doubt that ends a campaign.
+// The note after a doubt that ends a campaign.
 inline constexpr const char* kGoOn =
     "; nothing was kept. --go-on draws more inputs, and makes failures small";
 

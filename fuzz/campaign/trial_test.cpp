@@ -45,10 +45,11 @@ TEST_CASE("one input of which the program makes a mesh is enough") {
   for (int i = 0; i < 20; ++i) trial.look(kDead);
   CHECK(trial.standing() == Standing::kPassed);
   CHECK(trial.doubt().empty());
-  // A mesh of the input that breaks a rule is one, too: the program is wrong, and not the command.
+  // A mesh of the input that breaks a rule is a mesh, too: the program is wrong, and not the
+  // command.
   CHECK(of({OutcomeKind::kFails, "delaunay.facet-not-local"}, 1).standing() == Standing::kPassed);
   CHECK(of({OutcomeKind::kKnown, "exit-code-3"}, 1).standing() == Standing::kPassed);
-  // One whose indices name no points, or that is of another dimension, is none.
+  // A mesh whose indices name no points, or that has another dimension, is not one.
   CHECK(of({OutcomeKind::kFails, "triangulation.unknown-vertex"}, 10).standing() ==
         Standing::kFailed);
   CHECK(of({OutcomeKind::kFails, "simplex.wrong-dimension-extreme"}, 10).standing() ==
@@ -105,7 +106,8 @@ TEST_CASE("indices that begin at another number are told where the mesh is right
         "--first-index 1?");
   CHECK(of_mesh(subject, kTwoTetrahedra, "x.qhull-i", "2\n1 2 3 4\n2 3 4 5\n") ==
         "its indices seem to begin at 1, and not at 0, for so its meshes are right");
-  // Right as it is; a vertex too far and no shift that helps; a mesh that is wrong when it is moved, too.
+  // A correct mesh; one with an index out of range that no shift fixes; and one that is wrong even
+  // when shifted.
   CHECK(of_mesh(subject, kTwoTetrahedra, "x.ele", "2 4 0\n0 0 1 2 3\n1 1 2 3 4\n").empty());
   CHECK(of_mesh(subject, kTwoTetrahedra, "x.ele", "2 4 0\n0 0 1 2 3\n1 1 2 3 5\n").empty());
   CHECK(of_mesh(subject, kTwoTetrahedra, "x.ele", "2 4 0\n0 1 2 3 4\n1 1 2 3 5\n").empty());

@@ -18,12 +18,13 @@ namespace {
 
 using report::Json;
 
-constexpr double kSide = 300;  // of the square that everything has room in
+constexpr double kSide = 300;  // of the square that contains everything
 constexpr double kMargin = 30;
 constexpr std::size_t kMostPlaces = 100;
 
-// Where a point is drawn, before it is scaled. Space is seen aslant: its third axis goes up and to the right. Nothing: it has
-// not two or three coordinates, or one that is not a number.
+// Where a point is drawn, before scaling. Space is drawn in an oblique projection: its third axis
+// goes up and to the right. Nothing if it does not have two or three coordinates, or has one that
+// is not a number.
 std::optional<Point> projected(const Json& numbers) {
   Point place;
   for (const Json& number : numbers) {
@@ -52,7 +53,7 @@ std::string as_xml(const std::string& text) {
   return escaped;
 }
 
-// One picture as it grows: places first, by their labels, then what is drawn between them.
+// A picture under construction: first the places, by their labels, then what is drawn between them.
 class Canvas {
  public:
   void add(const std::string& label, const Json& numbers) {
@@ -75,7 +76,7 @@ class Canvas {
     const Rational extent = std::max(size[0], size[1]);
     if (sign(extent) == 0) return false;
     for (const auto& [label, place] : exact_) {
-      // From the middle, in units of the extent: at most a half, and rounded only now.
+      // Relative to the middle, in units of the extent: at most a half, and rounded only now.
       const auto from_middle = [&, &at = place](std::size_t axis) {
         const Rational offset = (at[axis] - low[axis] - size[axis] / 2) / extent;
         return kSide * generators::nearest_double(offset);
@@ -85,7 +86,7 @@ class Canvas {
     return true;
   }
 
-  // Nothing if one of the labels has no place.
+  // Draws nothing if one of the labels has no place.
   void outline(const std::vector<std::string>& corners, const std::string& style) {
     std::string path;
     for (const std::string& label : corners) {
@@ -102,7 +103,7 @@ class Canvas {
         at(places_[label]));
   }
 
-  // With a dot for each place. Labels that would hide each other are written one after the other.
+  // Adds a dot for each place. Labels that would hide each other are written one after the other.
   std::string svg() const {
     std::vector<std::pair<Place, std::string>> texts;
     std::string dots;
@@ -164,7 +165,8 @@ void draw_simplices(Canvas& canvas, const Json& simplices) {
   }
 }
 
-// The cells of the domain that a witness has coordinates of: an object for each kind, from indices to points.
+// The cells of the domain whose coordinates a witness has: an object for each kind, from indices to
+// points.
 std::map<std::string, Json> domain_points(const Json& witness) {
   std::map<std::string, Json> found;
   const Json domain = witness.value("domain", Json::object());

@@ -22,10 +22,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// More than any mesh of the harness's inputs has; a child that sends more is gone wrong.
+// More than any mesh of the harness's inputs needs; a child that sends more is broken.
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
-// What the child sends: 'a' and the rows, each with its length in front; or 'x' and the text of an
+// What the child sends: 'a' and the rows, each preceded by its length; or 'x' and the text of an
 // exception.
 std::string message(const Answer& answer) {
   if (!answer.failure.empty()) return "x" + answer.text;
@@ -43,7 +43,7 @@ std::string message(const Answer& answer) {
   return bytes;
 }
 
-// The numbers of a message one after the other.
+// Reads the numbers of a message one after the other.
 class Numbers {
  public:
   explicit Numbers(const std::string& bytes) : bytes_(bytes) {}
@@ -131,7 +131,7 @@ Answer understood(const std::string& bytes, int status) {
   _exit(0);
 }
 
-// The child and what it started.
+// Kills the child and what it started.
 void kill_all_of(pid_t child) {
   kill(-child, SIGKILL);
   kill(child, SIGKILL);  // its group may not exist yet
@@ -144,15 +144,15 @@ int reaped(pid_t child) {
   return status;
 }
 
-// The status with which the child ended; nothing if it lives on past the deadline, and is killed. A
-// child may close its end of the pipe and go on.
+// The status with which the child ended; nothing if it outlives the deadline and is killed. A child
+// may close its end of the pipe and go on.
 std::optional<int> status_of(pid_t child, Clock::time_point deadline) {
   auto pause = std::chrono::microseconds(20);
   while (true) {
     siginfo_t ended{};
     const int found = waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
     if (found == 0 && ended.si_pid == child) {
-      // While it is not reaped nobody else has its number: kill what it left behind, if anything.
+      // Until it is reaped, its ID is not reused: kill what it left behind, if anything.
       kill(-child, SIGKILL);
       return reaped(child);
     }
@@ -181,7 +181,7 @@ Answer isolated_answer(const Triangulator& subject, const PointArray& points,
                        std::chrono::milliseconds time_limit) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  // What waits to be written would be written by both.
+  // Otherwise both would write the buffered output.
   std::cout.flush();
   std::fflush(nullptr);
   const Clock::time_point deadline = Clock::now() + time_limit;

@@ -1,4 +1,4 @@
-// Programs under test end in many ways; each is told apart, and none of them ends the test.
+// Programs under test end in many ways; each has its own outcome, and none ends the test.
 #include "fuzz/harness/answer.hpp"
 
 #include <csignal>
@@ -105,7 +105,7 @@ TEST_CASE("processes that it leaves behind end with it") {
     }
     return {{0, 1, 2}};
   };
-  // The one left behind held no end of the pipe: the answer counts.
+  // The process left behind held no end of the pipe, so the answer counts.
   CHECK(isolated(forks).failure.empty());
   const Triangulator keeps_the_pipe = [](const PointArray&) -> SimplexArray {
     if (fork() == 0) wait_for_ever();

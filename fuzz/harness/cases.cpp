@@ -84,7 +84,7 @@ std::uint64_t mixed_seed(std::uint64_t run_seed, std::uint64_t index) {
 
 namespace {
 
-// What is removed in between: nothing, a few points, about as many as are inserted.
+// How much is removed in between: nothing, a few points, or about as many as are inserted.
 std::size_t removals_in_ten(const SequenceOptions& options, Dice& dice) {
   return options.removes ? std::array<std::size_t, 3>{0, 2, 5}[dice.below(3)] : 0;
 }

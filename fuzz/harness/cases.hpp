@@ -28,15 +28,15 @@ std::string node_text(const PointArray& points);
 bool are_doubles(const generators::PointsCase& set);
 
 // ---- Cases ----
-// The inputs of a run in process: which case comes how, and from which family.
+// The inputs of a run in process: the order of cases, and the family of each.
 
-// A harness has drawn the points itself: equal ones where somebody names a family that repeats points, none where a
-// sequence has removed all.
+// A harness has drawn the points itself: there are equal ones only if the user names a family that
+// repeats points, and none if a sequence has removed all.
 inline constexpr JudgeOptions kJudgeOfCases{.merge_equal_points = true, .allow_empty = true};
 
-// The families with these names; of none, all those of the dimension that have distinct points, and
-// weights if they are claimed. Throws std::invalid_argument: a name that is unknown, or a family that
-// does not exist in the dimension.
+// The families with these names; without names, all families of the dimension that have distinct
+// points, and weights if the claim is about them. Throws std::invalid_argument: a name that is
+// unknown, or a family that does not exist in the dimension.
 std::vector<const generators::Family*> chosen_families(const std::vector<std::string>& names,
                                                        std::size_t dimension, bool weighted);
 
@@ -50,7 +50,7 @@ struct DrawnCase {
 DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std::size_t dimension,
                      std::size_t max_points, std::uint64_t run_seed, std::uint64_t index);
 
-// A number made of two that is unlike those of their neighbours.
+// A number made of two; neighbouring arguments give unrelated results.
 std::uint64_t mixed_seed(std::uint64_t run_seed, std::uint64_t index);
 
 // ---- Sequence cases ----
@@ -65,8 +65,8 @@ struct DrawnSequence {
 DrawnSequence drawn_sequence(const std::vector<const generators::Family*>& families,
                              const SequenceOptions& options, std::uint64_t index);
 
-// Without the steps whose mark is false; a removal whose insertion is left out goes too. Numbers are
-// given anew, in the order of insertion.
+// Without the steps whose mark is false; a removal whose insertion is left out goes too. Points are
+// renumbered in the order of insertion.
 std::vector<Step> kept_steps(const std::vector<Step>& steps, const std::vector<bool>& marks);
 
 }  // namespace circumspect::harness

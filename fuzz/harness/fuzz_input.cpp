@@ -1,17 +1,18 @@
 // The bytes of a fuzzer as a recipe for points. Five bytes a step, the rest is ignored:
 //
-//   kind a b c w      kind modulo 8 makes a point, from earlier ones (modulo their number) if it needs any
+//   kind a b c w      kind modulo 8 makes a point, perhaps from earlier ones (modulo their number)
 //   0  small          the integer point (a, b, c), each from −8 to 7
 //   1  integer        the same, each from −128 to 127
 //   2  round          a point of the sphere of radius 9 (circle of radius 65) around the origin: a
 //                     chooses one with integer coordinates, b the order and signs of them
-//   3  neighbour      an earlier point a, its coordinate b one unit in the last place up or down (c)
-//   4  parallelogram  p_a + p_b − p_c: coplanar with them, and on their sphere where it is a rectangle
+//   3  neighbour      an earlier point a, coordinate b one unit in the last place up or down (c)
+//   4  parallelogram  p_a + p_b − p_c: coplanar with them, and on their sphere if a rectangle
 //   5  scaled         p_a times 2^e, e from b: near or far by many orders of magnitude
-//   6  moved          p_a, its coordinate b moved by 2^c: beside coordinates that keep few bits for it
+//   6  moved          p_a, coordinate b moved by 2^c: beside coordinates that keep few bits for it
 //   7  mirrored       p_a with some of the signs (b) changed: on one sphere with it
 //
-// w is the weight, an eighth of a signed byte. A point that is there already, or not finite, is left out.
+// w is the weight, an eighth of a signed byte. A point that is there already, or not finite, is
+// left out.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +41,8 @@ using Place = std::array<double, 3>;
 double signed_byte(std::uint8_t byte) { return static_cast<std::int8_t>(byte); }
 double small_integer(std::uint8_t byte) { return (byte & 15) - 8; }
 
-// Integer points at distance 9 from the origin of space, 65 from that of the plane, up to order and sign.
+// Integer points at distance 9 from the origin of space, 65 from that of the plane, up to order and
+// sign.
 constexpr std::array<Place, 4> kOnSphere = {{{0, 0, 9}, {1, 4, 8}, {4, 4, 7}, {3, 6, 6}}};
 constexpr std::array<Place, 5> kOnCircle = {
     {{0, 65, 0}, {16, 63, 0}, {25, 60, 0}, {33, 56, 0}, {39, 52, 0}}};
@@ -135,7 +137,7 @@ std::uint8_t random_byte(Dice& dice) { return static_cast<std::uint8_t>(dice.bel
 RecipeStep random_step(Dice& dice) {
   RecipeStep step{};
   for (std::uint8_t& byte : step) byte = random_byte(dice);
-  // Degeneracies more often than chance brings them.
+  // Chosen so that degeneracies are more frequent than by chance.
   if (dice.below(2) == 0) step[0] = std::array<std::uint8_t, 4>{0, 2, 4, 7}[dice.below(4)];
   return step;
 }

@@ -1,4 +1,4 @@
-// Any bytes are points, and the mutator makes bytes of bytes.
+// Any bytes give points, and the mutator turns bytes into bytes.
 #include <algorithm>
 #include <cmath>
 #include <set>

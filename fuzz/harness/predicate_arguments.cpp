@@ -12,7 +12,7 @@ namespace circumspect::harness {
 
 namespace {
 
-// The exponent of the unit in which a double is surely an integer.
+// The exponent of a unit in which the double is an integer.
 int unit_exponent(double x) { return std::max(std::ilogb(x) - 52, -1074); }
 
 // All coordinates times one power of two that makes them integers, which changes no sign.
@@ -67,13 +67,13 @@ std::size_t points_of(const PredicateOptions& options) {
   return argument_count(options.kind, options.dimension);
 }
 
-// Of at most `bits` bits, 53 at most.
+// A number of at most `bits` bits, at most 53.
 double integer(int bits, Dice& dice) {
   const std::uint64_t magnitude = dice.bits() >> (64 - bits);
   return dice.below(2) == 0 ? static_cast<double>(magnitude) : -static_cast<double>(magnitude);
 }
 
-// Times a power of two, the same for all: into the limits wherever there is room for it.
+// Multiplies all by one power of two that brings them within the limits, anywhere there is room.
 Coordinates scaled(const PredicateOptions& options, Coordinates coordinates, Dice& dice) {
   int least = 0, largest = 0;
   bool first = true;
@@ -86,7 +86,7 @@ Coordinates scaled(const PredicateOptions& options, Coordinates coordinates, Dic
   }
   const int lowest = options.min_exponent - least;
   const int highest = options.max_exponent - largest;
-  // Every other time as near to 1 as may be.
+  // Every other time as close to 1 as possible.
   int shift = std::clamp(0, std::min(lowest, highest), highest);
   if (lowest < highest && dice.below(2) == 0) shift = dice.within(lowest, highest);
   for (double& x : coordinates) {
@@ -109,7 +109,7 @@ Coordinates on_a_plane(const PredicateOptions& options, Dice& dice) {
   Coordinates coordinates = plain_integers(options, dice);
   const int bits = dice.within(1, 48);
   for (double& x : coordinates) x = integer(bits, dice);
-  // The others are p_0 to p_{d−1}: in-sphere has a point more, which stays.
+  // The others are p_0 to p_{d−1}: in-sphere has one more point, which is kept.
   double* const last = coordinates.data() + (points_of(options) - 1) * d;
   std::vector<double> coefficients(d, 0);
   for (double& c : coefficients) c = dice.within(-3, 3);
@@ -230,7 +230,7 @@ Coordinates neighbours(const PredicateOptions& options, Dice& dice) {
   return scaled(options, one_ulp_away(any_degenerate(options, dice), dice), dice);
 }
 
-// Around a point that is many times farther from the origin than they are from each other.
+// Points around a point that is many times farther from the origin than they are from each other.
 Coordinates far_cluster(const PredicateOptions& options, Dice& dice) {
   Coordinates coordinates = any_degenerate(options, dice);
   double largest = 1;

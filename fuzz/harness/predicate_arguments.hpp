@@ -12,7 +12,7 @@
 namespace circumspect::harness {
 
 // ---- Exact signs ----
-// What floating-point predicates are held against.
+// The signs with which floating-point predicates are compared.
 
 // How many points a predicate takes.
 std::size_t argument_count(PredicateKind kind, std::size_t dimension);
@@ -27,10 +27,11 @@ struct ArgumentFamily {
   std::vector<double> (*made)(const PredicateOptions& options, Dice& dice);
 };
 
-// In the order in which they take turns. What they make is within the limits of the options.
+// The kinds in the order in which they take turns. Their arguments are within the limits of the
+// options.
 const std::vector<ArgumentFamily>& argument_families();
 
-// Has every coordinate that is not 0 an exponent within the limits of the options?
+// Does every nonzero coordinate have an exponent within the limits of the options?
 bool is_within_limits(const PredicateOptions& options, const std::vector<double>& coordinates);
 
 }  // namespace circumspect::harness

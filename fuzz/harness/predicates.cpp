@@ -41,7 +41,7 @@ std::optional<Wrong> wrong_sign(const Predicate& predicate, const PredicateOptio
   return Wrong{expected, found};
 }
 
-// The bits that it takes to write a number, its exponent counted too.
+// The number of bits needed to write a number, including its exponent.
 int complexity(double x) {
   if (x == 0) return 0;
   const int exponent = std::ilogb(x);
@@ -57,7 +57,7 @@ int complexity(const Coordinates& coordinates) {
   return sum;
 }
 
-// To nearest, of at most so many bits.
+// Rounds to nearest, to at most so many bits.
 double rounded_to_bits(double x, int bits) {
   if (x == 0) return 0;
   const int shift = bits - 1 - std::ilogb(x);
@@ -95,7 +95,7 @@ class Simplifier {
 
   bool step() { return move_all() || round_all() || change_one(); }
 
-  // A point to the origin; all times a power of two.
+  // Moves a point to the origin; multiplies all by a power of two.
   bool move_all() {
     const std::size_t d = options_.dimension;
     const Coordinates old = simplest_;

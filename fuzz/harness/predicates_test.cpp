@@ -38,7 +38,7 @@ Predicate exact(PredicateKind kind, std::size_t dimension) {
   };
 }
 
-// As in every textbook, over the number type of one's choice.
+// As in every textbook, over a number type of choice.
 template <typename Number>
 double naive_orientation(const double* p) {
   Number row[3][3];
@@ -71,9 +71,9 @@ bool is_exact_difference(double a, double b) {
   return (a - (x + b_again)) + (b_again - b) == 0;
 }
 
-// Rounding is monotone: where differences are exact and the rounded products differ, the exact ones
-// differ alike. A compiler that contracts the difference of products compares an exact one with a
-// rounded one.
+// Rounding is monotone: if differences are exact and the rounded products differ, the exact
+// products differ in the same direction. A compiler that contracts the difference of products
+// compares an exact one with a rounded one.
 double orientation_by_rounded_products(const double* p, bool contracted) {
   const double ax = p[0] - p[4], ay = p[1] - p[5], bx = p[2] - p[4], by = p[3] - p[5];
   const bool differences_are_exact =
@@ -134,7 +134,7 @@ TEST_CASE("the signs are those that the header promises") {
   CHECK(sign_of(PredicateKind::kInSphere, 2, {0, 0, 1, 0, 0, 1, 0.5, 0.5}) == 1);
   CHECK(sign_of(PredicateKind::kInSphere, 2, {0, 0, 1, 0, 0, 1, 1, 1}) == 0);
   CHECK(sign_of(PredicateKind::kInSphere, 2, {0, 0, 0, 1, 1, 0, 0.5, 0.5}) == -1);
-  // The last one below the plane in which the others turn counterclockwise seen from above.
+  // The last point is below the plane in which the others turn counterclockwise as seen from above.
   CHECK(sign_of(PredicateKind::kOrientation, 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1}) == 1);
   CHECK(sign_of(PredicateKind::kInSphere, 3,
                 {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1, 0.5, 0.5, -0.5}) == 1);

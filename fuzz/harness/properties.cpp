@@ -20,15 +20,15 @@
 
 namespace circumspect::harness {
 
-// What is broken, and how; an empty rule if nothing is.
+// The broken rule, and how it is broken; an empty rule if none is.
 struct Broken {
   std::string rule = {};
   std::string report = {};
 };
 
-// The properties beside the claim compare answers, and only where the first one is right: a wrong
-// answer is the claim's business. `seed` is for the order in which the points are handed over.
-// Requires: the numbers of `set` are doubles.
+// The properties other than the claim compare answers, and only if the first answer is right: the
+// claim covers wrong answers. `seed` is for the order in which the points are passed. Requires: the
+// numbers of `set` are doubles.
 Broken broken_rule(const Triangulator& subject, Property property, const PropertyOptions& options,
                    const generators::PointsCase& set, std::uint64_t seed);
 
@@ -98,8 +98,8 @@ bool survives(double value, int exponent) {
   return std::isfinite(image) && std::ldexp(image, -exponent) == value;
 }
 
-// The axes moved on by one, every length times 8 (weights, which are squared lengths, times 64): exact,
-// or the points themselves where a number would overflow.
+// The axes rotated by one place, and every length times 8 (weights, which are squared lengths,
+// times 64): exact, or the points themselves if a number would overflow.
 PointArray similar(const PointArray& points) {
   PointArray image = points;
   for (std::size_t i = 0; i < points.coordinates.size(); ++i) {
@@ -115,8 +115,8 @@ PointArray similar(const PointArray& points) {
   return image;
 }
 
-// Is what was answered right, and the only right answer? Book: Theorem 4.4; sets that are not generic
-// have only one, too, if their Delaunay subdivision is simplicial (Section 4.2).
+// Is the answer right, and the only right one? Book: Theorem 4.4; sets that are not generic have
+// only one, too, if their Delaunay subdivision is simplicial (Section 4.2).
 bool is_the_only_answer(const PropertyOptions& options, const PointArray& points,
                         const Answer& given) {
   if (!given.failure.empty() || options.claim == "triangulation") return false;
@@ -170,7 +170,7 @@ namespace {
 using generators::PointsCase;
 using harness::Broken;
 
-// Is the set one that the options ask for?
+// Do the options ask for such a set?
 bool is_wanted(const PropertyOptions& options, const PointsCase& set) {
   if (set.points.size() < options.min_points) return false;
   if (options.flat_sets) return true;

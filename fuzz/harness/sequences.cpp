@@ -21,7 +21,7 @@ using Steps = std::vector<Step>;
 
 // Where a sequence first goes wrong.
 struct Failure {
-  std::size_t steps = 0;  // so many were done, the last of which it is
+  std::size_t steps = 0;  // the number of steps done, it being the last
   std::string rule = {};
   std::string report = {};
 };
@@ -51,8 +51,8 @@ Present present_after(const Steps& steps, std::size_t count, std::size_t dimensi
   return present;
 }
 
-// The simplices in the numbers that the judge knows: places among the present points. What names no
-// present point names none.
+// The simplices with the judge's indices, which are places among the present points. An index that
+// names no present point names none there.
 SimplexArray in_places(const Present& present, SimplexArray simplices) {
   for (auto& simplex : simplices) {
     for (std::int64_t& v : simplex) {
@@ -63,7 +63,7 @@ SimplexArray in_places(const Present& present, SimplexArray simplices) {
   return simplices;
 }
 
-// Names for places in a witness, where they are not the points' own numbers.
+// Names for places in a witness, if they are not the points' own numbers.
 std::string numbers_of_places(const Present& present) {
   std::string text;
   for (std::size_t place = 0; place < present.numbers.size(); ++place) {
@@ -146,7 +146,7 @@ class Shortener {
     }
   }
 
-  // Two steps may be of use only together: a point inserted instead of another one.
+  // Two steps may help only together: a point inserted instead of another one.
   bool drop_two_steps() {
     if (steps_.size() > 20) return false;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -159,8 +159,9 @@ class Shortener {
     return false;
   }
 
-  // All points as ranks, or scaled and rounded to integers of few bits, if it may be; says whether it was
-  // done. After ranks, fewer bits make fewer different coordinates, so that this ends.
+  // Replaces all points by ranks, or scales and rounds them to integers of few bits, if that is
+  // accepted; returns whether it was. After ranks, fewer bits give fewer different coordinates, so
+  // this ends.
   bool simplify_points() {
     double largest = 0;
     bool integers = true;
@@ -179,7 +180,7 @@ class Shortener {
     return false;
   }
 
-  // Each coordinate its place among those of the axis, from 0.
+  // Replaces each coordinate by its rank on the axis, from 0.
   bool keep_ranks() {
     std::vector<std::set<double>> values(options_.dimension);
     for (const Step& step : steps_) {
@@ -212,7 +213,7 @@ class Shortener {
     return changed && has_distinct_points(tried) && keep(tried);
   }
 
-  // Of points present at the same time.
+  // Among points present at the same time.
   static bool has_distinct_points(const Steps& steps) {
     std::map<std::int64_t, std::vector<double>> present;
     for (const Step& step : steps) {

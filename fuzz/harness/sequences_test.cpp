@@ -1,6 +1,6 @@
-// Dynamic structures: one that is rebuilt from scratch is right, and others are not. They live on a line,
-// where a triangulation is the points in order; properties/harness_property.cpp has some in the plane and
-// in space.
+// Dynamic structures: one that is rebuilt from scratch is right, and others are not. They live on a
+// line, where a triangulation is the points in order; properties/harness_property.cpp has some in
+// the plane and in space.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@ namespace circumspect {
 namespace {
 
 struct Mistakes {
-  bool forgets_to_fill = false;  // the edge between the neighbours of what is removed
+  bool forgets_to_fill = false;  // the edge between the neighbours of the removed point
   bool throws_when_empty = false;
   bool reuses_numbers = false;
 };

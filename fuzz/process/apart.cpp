@@ -21,15 +21,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Bytes that this process has already: sanitizers reserve terabytes.
+// The bytes that this process already has: sanitizers reserve terabytes.
 rlim_t address_space() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-// The life of the child. It keeps no file of its parent's: else a supervisor would not notice that the parent has
-// died. It says nothing.
+// The life of the child. It keeps no file of its parent open, because otherwise a supervisor would
+// not notice the parent's death. It prints nothing.
 [[noreturn]] void compute_and_end(const std::function<std::string()>& compute, int answer,
                                   std::uint64_t memory, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -81,7 +81,7 @@ class Child {
   int status_ = 0;
 };
 
-// Reads to the end of what the child writes. kDone: it wrote all that it had.
+// Reads everything that the child writes. kDone: it wrote everything.
 Apart read_answer(int file, Clock::time_point end, const std::atomic<bool>& stop) {
   constexpr double kTick = 0.05;  // seconds between two looks at `stop`
   Apart apart;

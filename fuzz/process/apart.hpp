@@ -1,4 +1,5 @@
-// Runs work of our own that may take too much time or memory in a separate process, which can be killed.
+// Runs our own work in a separate process that can be killed, when it may take too much time or
+// memory.
 #pragma once
 
 #include <atomic>
@@ -10,22 +11,23 @@ namespace circumspect::campaign {
 
 struct Apart {
   enum class End {
-    kDone,         // text: what was computed
+    kDone,         // text: the result
     kTimeLimit,    // it took too long, and was killed
-    kMemoryLimit,  // its memory did not suffice
+    kMemoryLimit,  // it ran out of memory
     kInterrupted,  // `stop` became true
   };
   End end = End::kDone;
   std::string text = {};
 };
 
-// The exit code with which a process says that its memory did not suffice; the command's, too.
+// The exit code by which a process reports that it ran out of memory; the command uses it, too.
 inline constexpr int kOutOfMemory = 5;
 
-// What `compute` returns, computed by a child of this process on a copy of all that is in memory. `memory`: bytes
-// of address space that it may have beyond that, 0 for any. Where no process is to be had, this one computes it, without limits.
-// Requires: `compute` takes no lock that another thread may hold, and asks for no thread.
-// Throws std::runtime_error if the child dies in another way, which is a mistake of ours.
+// The result of `compute`, which a child of this process computes on a copy of the memory.
+// `memory`: bytes of address space that it may use beyond that, 0 for any. If the system allows no
+// further process, this one computes it, without limits. Requires: `compute` takes no lock that
+// another thread may hold, and starts no thread. Throws std::runtime_error if the child dies in
+// another way, which is a bug.
 Apart computed_apart(const std::function<std::string()>& compute, double seconds,
                      std::uint64_t memory, const std::atomic<bool>& stop);
 

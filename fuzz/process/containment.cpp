@@ -43,8 +43,8 @@ bool wrote(const std::string& path, const std::string& text) {
   return done;
 }
 
-// Users have in the namespace the numbers that they have outside, so that files belong to whom they belong. Only
-// a superuser may say that of more than one.
+// Users keep their IDs in the namespace, so that files keep their owners. Only a superuser may map
+// more than one ID.
 bool mapped_users(pid_t child) {
   const std::string folder = "/proc/" + std::to_string(child);
   const std::string all = "0 0 4294967295";
@@ -69,7 +69,7 @@ pid_t fork_with(std::uint64_t flags) {
   return static_cast<pid_t>(syscall(SYS_clone3, &arguments, sizeof(arguments)));
 }
 
-// A byte through a socket; false if the other side ended.
+// Sends a byte through a socket; false if the other side ended.
 bool told(int socket) { return ::send(socket, "", 1, MSG_NOSIGNAL) == 1; }
 bool was_told(int socket) {
   char byte = 0;
@@ -88,7 +88,7 @@ bool kernel_is_at_least(long major, long minor) {
   return first > major || (first == major && second >= minor);
 }
 
-// The tasks of this user's processes, which a limit counts.
+// The number of tasks of this user's processes, to which a limit applies.
 rlim_t tasks_of_user() {
   DIR* const all = opendir("/proc");
   if (all == nullptr) return 0;
@@ -104,8 +104,9 @@ rlim_t tasks_of_user() {
   return count;
 }
 
-// Runtimes start a few threads for each processor, and some more. The room must be small: Linux gives each session an equal share
-// of the processors, and a supervisor among a thousand hostile sessions waits minutes for its turn.
+// Runtimes start a few threads for each processor, and some more. The margin must be small: Linux
+// gives each session an equal share of the processors, and a supervisor among a thousand hostile
+// sessions waits minutes for its turn.
 rlim_t room_for_threads() {
   return 100 + 4 * std::max<rlim_t>(std::thread::hardware_concurrency(), 1);
 }
@@ -138,18 +139,19 @@ pid_t fork_into_namespaces() {
 rlim_t most_tasks(Containment containment, std::size_t processes) {
   const rlim_t wanted = std::min<rlim_t>(processes, 1'000'000) + room_for_threads();
   if (containment == Containment::kNamespaces) {
-    // Before, a limit counted all processes of the user, wherever they are.
+    // In earlier kernels, a limit counted all processes of the user, wherever they are.
     return kernel_is_at_least(5, 14) ? wanted : RLIM_INFINITY;
   }
-  // All processes of the user count, and other programs of the campaign may have as many meanwhile.
+  // All processes of the user count, and other programs of the campaign may start as many
+  // meanwhile.
   static const rlim_t others = tasks_of_user();
   return others + 4 * wanted;
 }
 
 void let_kernel_refuse_more_tasks(rlim_t tasks) {
-  // Numbers of processes below 300 are not given again.
+  // Process IDs below 300 are not reused.
   constexpr rlim_t kNotGivenAgain = 300;
-  // Before, there was one such number for the whole system.
+  // In earlier kernels, there was one such number for the whole system.
   if (tasks == RLIM_INFINITY || !kernel_is_at_least(6, 14)) return;
   wrote("/proc/sys/kernel/pid_max", std::to_string(tasks + kNotGivenAgain));
 }
@@ -224,8 +226,8 @@ bool Turn::take(int lifeline) const {
       if (cells[i].compare_exchange_strong(nobody, holder_)) return true;
     }
     if (is_cut(lifeline)) return false;
-    // Nobody says that the lifeline is cut: it is looked at again. In between only what is given back
-    // wakes it, if that has not happened since the places were looked at.
+    // Nothing signals that the lifeline was cut, so it is polled. In between, only a returned place
+    // wakes this process, unless one was returned since the places were looked at.
     const timespec tick = {0, 20'000'000};
     syscall(SYS_futex, cells, FUTEX_WAIT, given_back, &tick, nullptr, 0);
   }
@@ -238,7 +240,7 @@ void Turn::give_back() const {
     int holder = holder_;
     cells[i].compare_exchange_strong(holder, 0);
   }
-  // All, for of those that wait one may have been killed.
+  // Wakes all, because one of those that wait may have been killed.
   ++cells[0];
   syscall(SYS_futex, cells, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }

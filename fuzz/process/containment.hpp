@@ -1,4 +1,5 @@
-// The ways to confine a program of somebody else: what it sees of the system, and how all its processes are ended.
+// The ways to confine an untrusted program: what it sees of the system, and how all its processes
+// are ended.
 #pragma once
 
 #include <atomic>
@@ -10,44 +11,48 @@
 namespace circumspect::campaign {
 
 enum class Containment {
-  // In a process namespace, whose first process is the supervisor. A program sees nothing of the processes
-  // outside, so it can neither stop nor kill them. One kill ends all that it started, even a fork bomb of which
-  // every process has a session of its own. The kernel counts its processes and refuses too many.
+  // In a process namespace, whose first process is the supervisor. A program cannot see the
+  // processes outside, so it can neither stop nor kill them. One kill ends everything that it
+  // started, even a fork bomb whose processes each begin a session. The kernel counts its processes
+  // and refuses too many.
   kNamespaces,
-  // As descendants of the supervisor, which looks for them and kills them. A program can see, stop and kill
-  // every process of its user; it is found out, and what it started is killed.
+  // As descendants of the supervisor, which looks for them and kills them. A program can see, stop
+  // and kill every process of its user; this is detected, and everything that it started is killed.
   kSupervisor,
 };
 
 // "namespaces" or "supervisor".
 const char* name(Containment containment);
 
-// As fork. The child is the first process of a process namespace of its own, with its own /proc. −1 where the
-// system does not allow that: then there is no child. Requires: this process has one thread.
+// As fork. The child is the first process of a process namespace of its own, with its own /proc. −1
+// where the system does not allow that: then there is no child. Requires: this process has one
+// thread.
 pid_t fork_into_namespaces();
 
-// How many tasks (processes and their threads) the kernel may let a program have that may have so many
-// processes; called by a supervisor, once. Threads count too, so there is room for a hundred, and for four a processor.
+// How many tasks (processes and their threads) the kernel should allow a program that may have so
+// many processes; a supervisor calls this once. Threads count too, so a hundred are added, and four
+// for each processor.
 rlim_t most_tasks(Containment containment, std::size_t processes);
 
-// In a process namespace: lets the kernel refuse more tasks, also to a superuser, if it is one that can.
+// In a process namespace: makes the kernel refuse more tasks, even to a superuser, if the kernel
+// can.
 void let_kernel_refuse_more_tasks(rlim_t tasks);
 
-// A process whose number nobody else gets meanwhile, as far as this one is concerned.
+// A process whose ID is not reused meanwhile, as far as this process can tell.
 class Known {
  public:
   Known() = default;
-  // Requires: it is there.
+  // Requires: the process exists.
   explicit Known(pid_t process);
   ~Known();
   Known(Known&& other) noexcept;
   Known& operator=(Known&& other) noexcept;
 
   pid_t number() const { return number_; }
-  // True, too, of none.
+  // Also true of no process.
   bool has_ended_within(int milliseconds) const;
   void send(int signal_number) const;
-  // What the kernel says it does: 'R', 'S', 'T' (stopped), 't' (traced), …; 0 if it has ended.
+  // Its state according to the kernel: 'R', 'S', 'T' (stopped), 't' (traced), …; 0 if it has ended.
   char state() const;
 
  private:
@@ -56,17 +61,17 @@ class Known {
 };
 
 // ---- How many run at a time ----
-// How many programs may run at a time.
+// Limits how many programs run at a time.
 
 class Gate;
 
-// What one supervisor holds of a gate: a place or none. Without a gate there is always room.
+// A supervisor's hold on a gate: a place or none. Without a gate there is always room.
 class Turn {
  public:
   Turn() = default;
 
-  // Waits for a place and takes it. False: the other end of the socket `lifeline` was closed before there
-  // was one. Makes system calls alone, so that a process between vfork and exec may call it.
+  // Waits for a place and takes it. False: the other end of the socket `lifeline` was closed before
+  // there was one. Makes only system calls, so that a process between vfork and exec may call it.
   bool take(int lifeline) const;
   // Gives the place back, if it holds one.
   void give_back() const;
@@ -79,9 +84,9 @@ class Turn {
   int holder_ = 0;
 };
 
-// Places in memory that this process shares with those that it forks: programs are started by the
-// processes of supervisors, each as soon as another one has ended, without asking this one. Each place
-// says who holds it, so that it can be given back for a supervisor that was killed.
+// Places in memory that this process shares with those that it forks: supervisors start a program
+// as soon as another one has ended, without asking this process. Each place records its holder, so
+// that it can be given back on behalf of a supervisor that was killed.
 class Gate {
  public:
   // Throws std::system_error. Requires: places ≥ 1.
@@ -90,7 +95,7 @@ class Gate {
   Gate(const Gate&) = delete;
   Gate& operator=(const Gate&) = delete;
 
-  // Of a new holder. Called before the fork that shares it.
+  // For a new holder. Called before the fork that shares it.
   Turn turn() { return {this, ++holders_}; }
 
  private:
@@ -99,7 +104,7 @@ class Gate {
   static_assert(Cell::is_always_lock_free);
 
   Cell* cells_ =
-      nullptr;  // the first counts what was given back; the others: who holds the place, or 0
+      nullptr;  // the first counts returned places; the others: who holds the place, or 0
   std::size_t count_ = 0;
   int holders_ = 0;
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
-// A folder that is open, and closed at the end.
+// An open folder, which is closed at the end.
 class Folder {
  public:
   Folder(int parent, const char* name) {
@@ -32,7 +32,7 @@ class Folder {
   bool is_open() const { return stream_ != nullptr; }
   int file() const { return dirfd(stream_); }
 
-  // The next entry but for itself and its parent, or null.
+  // The next entry other than the folder itself and its parent, or null.
   const char* next() {
     while (const dirent* const entry = readdir(stream_)) {
       const std::string_view name = entry->d_name;
@@ -60,7 +60,7 @@ void add_bytes(int parent, const char* name, int depth, std::uint64_t enough,
     const char* const entry = folder.next();
     if (entry == nullptr) return;
     struct stat status {};
-    // What is deleted while this looks counts no more.
+    // Files that are deleted meanwhile do not count.
     if (fstatat(folder.file(), entry, &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
     bytes += std::max(static_cast<std::uint64_t>(status.st_blocks) * 512, kEntryBytes);
     if (S_ISDIR(status.st_mode)) add_bytes(folder.file(), entry, depth + 1, enough, bytes);
@@ -85,8 +85,8 @@ bool moved(int from, const char* name, int to, unsigned& number) {
   return false;
 }
 
-// Deletes a folder in `top`. The folders in it are moved up to `top` first: so neither paths nor the
-// stack grow with the depth.
+// Deletes a folder in `top`. The folders in it are moved up to `top` first: so neither paths nor
+// the stack grow with the depth.
 bool flattened(const Folder& top, const char* name, unsigned& number) {
   open_to_owner(top.file(), name);
   {

@@ -50,7 +50,7 @@ TEST_CASE("a gate has as many places as it says, for all processes together") {
   cut.cut();
   CHECK(!turns[2].take(cut.ends[0]));
   CHECK(!another_process_takes(turns[2], cut.ends[0]));
-  // The process that took it is gone; whoever knows gives it back.
+  // The process that took it is gone; a process that knows this gives it back.
   turns[1].give_back();
   CHECK(turns[2].take(line.ends[0]));
   CHECK(Turn().take(-1));
@@ -92,12 +92,12 @@ TEST_CASE("a program begins when the one before it has ended, with all that it s
         {});
   });
   wait_for(folder.path("began"));
-  // What the first left behind would make the file anew.
+  // A process left behind by the first run would create the file again.
   const Ended ended =
       second.run(script(folder, "[ -e ended ] && rm alive && sleep 0.2 && [ ! -e alive ]"), {});
   thread.join();
   CHECK(ended.code == 0);
-  // What it waited is no time of its own.
+  // The time that it waited does not count as its own.
   CHECK(ended.seconds < 0.9);
 }
 

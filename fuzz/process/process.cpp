@@ -26,7 +26,7 @@
 namespace circumspect::campaign {
 namespace {
 
-// What goes through the socket: a length and as many bytes.
+// A message through the socket: a length and as many bytes.
 
 bool write_all(int file, const char* bytes, std::size_t count) {
   while (count > 0) {
@@ -39,8 +39,9 @@ bool write_all(int file, const char* bytes, std::size_t count) {
   return true;
 }
 
-// Who waits in read() is also woken when the other side takes what was sent to it. Then it may queue
-// behind the program that has just begun, and stay there while the next request waits for it.
+// A process that waits in read() is also woken when the other side receives what was sent to it.
+// Then it may queue behind the program that has just started, and stay there while the next request
+// waits for it.
 void wait_for_bytes(int file) {
   pollfd waited = {file, POLLIN, 0};
   while (poll(&waited, 1, -1) < 0 && errno == EINTR) {
@@ -69,14 +70,14 @@ void put(std::string& message, const std::string& text) {
   message += text;
 }
 
-// At once: whoever waits for it is woken once.
+// Sent in one piece, so that the receiver is woken once.
 bool send_message(int file, const std::string& message) {
   std::string bytes;
   put(bytes, message);
   return write_all(file, bytes.data(), bytes.size());
 }
 
-// A message that is taken apart in the order in which it was put together.
+// A message that is decoded in the order in which it was encoded.
 class Message {
  public:
   static std::optional<Message> receive(int file) {
@@ -153,13 +154,15 @@ Request request_of(Message& message) {
   _exit(0);
 }
 
-// What the guardian says of the process that it has started: it knows its number outside of its namespace.
+// The guardian's report on the process that it has started: it knows the process ID outside of the
+// namespace.
 struct Hello {
   Containment containment = Containment::kSupervisor;
   pid_t supervisor = -1;
 };
 
-// Waits for a child until it ends, and lets it go on whenever it is stopped. Its exit status.
+// Waits for a child until it ends, and continues it whenever it is stopped. Returns its exit
+// status.
 int status_of(pid_t child) {
   int status = 0;
   while (true) {
@@ -170,8 +173,8 @@ int status_of(pid_t child) {
   }
 }
 
-// The life of the guardian. Its own file is the only one of its parent's that it keeps, and its child
-// after it.
+// The life of the guardian. It and its child keep only one open file of its parent: the guardian's
+// own.
 [[noreturn]] void guard(int socket, const std::string& folder, Turn turn, pid_t parent,
                         std::optional<Containment> wanted) {
   const int null = open("/dev/null", O_RDWR);
@@ -180,7 +183,7 @@ int status_of(pid_t child) {
   if (socket != own) dup2(socket, own);
   close_range(own + 1, ~0U, 0);
   fcntl(own, F_SETFD, FD_CLOEXEC);
-  // A session of its own has no terminal: neither Ctrl-C nor what a program reads comes from there.
+  // A session of its own has no terminal, so neither Ctrl-C nor a program's input comes from there.
   setsid();
   for (const int ignored : kIgnored) signal(ignored, SIG_IGN);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -189,7 +192,7 @@ int status_of(pid_t child) {
   if (hello.supervisor < 0 && wanted != Containment::kNamespaces) {
     hello = {Containment::kSupervisor, fork()};
   }
-  // Nobody of this user may trace it, or the child, which does the same.
+  // No process of this user may trace it, nor the child, which does the same.
   prctl(PR_SET_DUMPABLE, 0);
   if (hello.supervisor == 0) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);  // It is not inherited.
@@ -197,18 +200,18 @@ int status_of(pid_t child) {
   }
   std::string said;
   put(said, hello);
-  // The parent would wait for ever for one of which it has not heard.
+  // The parent would wait for ever for a process that it does not know.
   if (!send_message(own, said) && hello.supervisor > 0) kill(hello.supervisor, SIGKILL);
   close(own);
   const bool was_killed = hello.supervisor < 0 || WIFSIGNALED(status_of(hello.supervisor));
   if (hello.containment == Containment::kSupervisor) kill_descendants(Containment::kSupervisor);
-  // Else the parent has another one for the same folder.
+  // Otherwise the parent has another one for the same folder.
   if (was_killed && getppid() != parent && !folder.empty()) removed(folder);
   _exit(0);
 }
 
-// All guardians and supervisors of this process. Locked while one is started, and while those processes are
-// killed that are none: what became children of this one when the guardian above them was killed.
+// All guardians and supervisors of this process. Locked while one is started, and while other
+// children are killed: those that became children of this process when their guardian was killed.
 struct Ours {
   std::mutex mutex;
   std::set<pid_t> processes;
@@ -230,7 +233,7 @@ std::vector<pid_t> adopted_programs() {
 }
 
 constexpr int kTick = 100;      // milliseconds between two looks after a supervisor
-constexpr int kMostStops = 20;  // looks that find one stopped before it is given up
+constexpr int kMostStops = 20;  // after so many looks that find it stopped, it is given up
 
 }  // namespace
 
@@ -277,7 +280,8 @@ void Supervisor::start() {
     supervisor_ = Known(hello.supervisor);
     ours().processes.insert(hello.supervisor);
   }
-  // What a program leaves that kills both of them comes to this process, which then kills it.
+  // If a program kills both of them, its remaining processes become children of this one, which
+  // then kills them.
   if (containment_ == Containment::kSupervisor) prctl(PR_SET_CHILD_SUBREAPER, 1);
   const std::lock_guard lock(mutex_);
   if (is_interrupted_) shutdown(socket_, SHUT_RDWR);
@@ -316,7 +320,7 @@ void Supervisor::end() {
   }
   for (Known* const process : {&guardian_, &supervisor_}) {
     while (!process->has_ended_within(kTick)) look_after();
-    // The supervisor is a child of this process if somebody has killed the guardian.
+    // The supervisor is a child of this process if the guardian was killed.
     while (process->number() > 0 && waitpid(process->number(), nullptr, 0) < 0 && errno == EINTR) {
     }
     const std::lock_guard one_at_a_time(ours().mutex);

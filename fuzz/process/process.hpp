@@ -1,4 +1,4 @@
-// Runs other people's programs. Whatever they do, they end, and no process of theirs is left.
+// Runs other people's programs. Whatever they do, they end, and none of their processes is left.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@ namespace circumspect::campaign {
 
 // What a program may use. It is killed when it uses more.
 struct Limits {
-  double seconds = 10;                             // without those in which no processor was free
+  double seconds = 10;                             // without time in which no processor was free
   std::uint64_t memory = std::uint64_t{4} << 30;   // bytes of address space a process; 0: any
   std::uint64_t output = std::uint64_t{64} << 20;  // bytes on disk: each file, and all together
   std::size_t processes = 256;                     // at a time
 };
 
-// How a program is talked to that answers one case after another (worker.hpp).
+// The protocol with a program that answers one case after another (worker.hpp).
 struct Talk {
-  // Its answers: a number and as many lines; .off files; .tet files.
+  // The form of its answers: a number and as many lines; .off files; .tet files.
   enum class Form { kSimplices, kOff, kTet };
   Form form = Form::kSimplices;
   std::size_t cases = 0;  // then another process takes its place
@@ -34,7 +34,8 @@ struct Request {
   std::string stdin_file = "/dev/null";
   std::string stdout_file = "/dev/null";
   std::string stderr_file = "/dev/null";
-  // The program goes on living after it has answered stdin_file on stdout_file, for the next request like this.
+  // The program keeps running after it has answered stdin_file on stdout_file, for the next request
+  // like this.
   std::optional<Talk> talk = {};
 };
 
@@ -44,9 +45,9 @@ enum class Ending {
   kTimeLimit,     // it ran too long, and was killed, as for the next two
   kOutputLimit,   // it wrote too much
   kProcessLimit,  // it started too many processes
-  kOutOfStep,  // a worker had written more than its answer to the request before; stdout_file: what
-  kNotStarted,        // code: errno
-  kSupervisorKilled,  // somebody killed the process that ran it, and the next run has another
+  kOutOfStep,     // a worker wrote more than its answer to the previous request; stdout_file: what
+  kNotStarted,    // code: errno
+  kSupervisorKilled,  // the process that ran it was killed, and the next run has another
   kInterrupted,       // Supervisor::interrupt was called
 };
 
@@ -54,40 +55,44 @@ struct Ended {
   Ending ending = Ending::kInterrupted;
   int code = 0;
   double seconds = 0;
-  // Of the answer of a worker: lines that came behind those that say how many there are, and how many were to come.
+  // For the answer of a worker: how many lines followed those that state their number, and how many
+  // were expected.
   std::size_t lines = 0;
   std::size_t expected_lines = 0;
 };
 
-// A process apart that runs programs one after the other. Where the system allows it, it is the first process of
-// a process namespace (containment.hpp), and what it starts lives and ends there. Elsewhere all that a program
-// starts are descendants of this process, even if they leave their process group, their session and their
-// parent (it is a "child subreaper"), so that it can kill them all when the program ends. Either does the same
-// when this process dies, even by SIGKILL. It has one thread, little memory and no terminal, so that to start a
-// program from it is cheap. Its own parent, the guardian, does nothing but wait for it: if a program kills the
-// process that started it, the guardian kills the rest. This process looks after both while it waits for them:
-// it lets them go on when they were stopped, and kills them and all that they started if that is no help or if
-// somebody traces them. Threads may have one each.
+// A process apart that runs programs one after the other. Where the system allows it, it is the
+// first process of a process namespace (containment.hpp), and everything that it starts lives and
+// ends there. Elsewhere all processes that a program starts are descendants of this process, even
+// if they leave their process group, their session and their parent (it is a "child subreaper"), so
+// that it can kill them all when the program ends. Either does the same when this process dies,
+// even by SIGKILL. It has one thread, little memory and no terminal, so that starting a program
+// from it is cheap. Its own parent, the guardian, only waits for it: if a program kills the process
+// that started it, the guardian kills the rest. This process watches both while it waits for them:
+// it continues them when they were stopped, and kills them and everything that they started if that
+// does not help or if they are traced. Each thread may have one.
 //
-// What is not prevented: a program that writes outside of its folder, or that holds files open that it has
-// deleted (each of which is limited, not their sum); without namespaces also one that kills processes of its
-// user at random.
+// This does not prevent a program from writing outside of its folder, or from holding deleted files
+// open (each of these is limited, but not their sum). Without namespaces, it does not prevent a
+// program from killing arbitrary processes of its user.
 class Supervisor {
  public:
-  // Forks. `folder`, if any, is removed with all that is in it at the end of the supervisor, even if
-  // this process dies before it. `turn`: what it waits for before each program. `wanted`: without it the
-  // strongest containment that the system allows. Throws std::system_error, also if what is wanted is not allowed.
+  // Forks. `folder`, if any, is removed with its contents at the end of the supervisor, even if
+  // this process dies first. `turn`: what it waits for before each program. `wanted`: the
+  // containment; by default, the strongest that the system allows. Throws std::system_error, also
+  // if the wanted containment is not allowed.
   explicit Supervisor(const std::string& folder = "", Turn turn = {},
                       std::optional<Containment> wanted = {});
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  // Runs one program to its end, or has a worker answer. kExited with code 0: it has, or has ended before it had.
-  // Not from two threads at a time. Throws as the constructor.
+  // Runs one program to its end, or lets a worker answer. kExited with code 0: it has answered, or
+  // ended before it had. Not from two threads at a time. Throws as the constructor.
   Ended run(const Request& request, const Limits& limits);
 
-  // From any thread: the program that runs is killed, and `run` returns; so do all later ones.
+  // May be called from any thread: kills the running program, so that `run` returns; all later runs
+  // return at once.
   void interrupt();
 
   Containment containment() const { return containment_; }
@@ -99,7 +104,8 @@ class Supervisor {
  private:
   void start();
   void end();
-  // Lets both processes go on if they were stopped. False if they have to be given up, and are killed.
+  // Continues both processes if they were stopped. False if they have to be given up, and are
+  // killed.
   bool look_after();
   bool wait_for_answer();
 
@@ -110,13 +116,13 @@ class Supervisor {
   Known guardian_;
   Known supervisor_;
   int stops_ = 0;     // how often they were found stopped since the last answer
-  std::mutex mutex_;  // for what interrupt needs
+  std::mutex mutex_;  // for the members that interrupt needs
   int socket_ = -1;
   bool is_interrupted_ = false;
 };
 
 // The path of a program as a shell finds it in PATH; empty if there is none that may be run. A name
-// with a slash is taken from the current folder, and comes back absolute.
+// with a slash is relative to the current folder, and the result is absolute.
 std::string find_program(const std::string& name);
 
 }  // namespace circumspect::campaign

@@ -22,13 +22,13 @@
 namespace circumspect::campaign {
 
 // ---- Process ----
-// Programs that misbehave in every way: each ends, is told apart, and leaves nothing behind.
+// Programs that misbehave in every way: each ends, has its own outcome, and leaves nothing behind.
 
 namespace {
 
 using formats::ScratchFolder;
 
-// Both ways in which programs are kept together, as far as this system has them.
+// Both kinds of containment, if this system supports them.
 std::vector<Containment> ways() {
   std::vector<Containment> ways = {Containment::kSupervisor};
   const Supervisor any;
@@ -62,7 +62,7 @@ struct Trial {
     text << std::ifstream(folder.path(name)).rdbuf();
     return text.str();
   }
-  // How many processes are in the folder of the program: what a script starts stays there.
+  // How many processes are in the folder of the program: processes that a script starts stay there.
   std::size_t left_behind() const {
     std::size_t count = 0;
     std::error_code gone;
@@ -175,14 +175,14 @@ TEST_CASE("a program that kills the processes above it harms only itself") {
         Ending::kSupervisorKilled);
   CHECK(trial.left_behind() == 0);
   CHECK(trial.run("exit 3").code == 3);
-  // Both of them, and whom nobody is left to kill comes to this process.
+  // Both of them are killed, and the processes that are left become children of this one.
   CHECK(trial
             .run("for i in 1 2 3; do setsid sleep 1000 & done; "
                  "kill -9 $(ps -o ppid= $PPID) $PPID; sleep 1000")
             .ending == Ending::kSupervisorKilled);
   CHECK(trial.left_behind() == 0);
   CHECK(trial.run("exit 4").code == 4);
-  // Somebody kills the guardian: programs run all the same.
+  // The guardian is killed, and programs still run.
   kill(trial.supervisor.guardian(), SIGKILL);
   CHECK(trial.run("exit 5").code == 5);
   CHECK(Clock::now() - start < std::chrono::seconds(5));
@@ -210,13 +210,13 @@ TEST_CASE("in a process namespace a program sees nobody whom it could stop, kill
   Trial trial(Containment::kNamespaces);
   CHECK(trial.run("kill -9 $PPID; kill -STOP $PPID; [ $PPID = 1 ] && exit 3").code == 3);
   CHECK(trial.run("[ $(ls /proc | grep -c '^[0-9]') -lt 9 ]").code == 0);
-  // All others that it sees, but for the first.
+  // All other processes that it sees, except the first.
   CHECK(trial.run("sleep 1000 & kill -9 -1; wait; exit 4").code == 4);
   CHECK(trial.run("exit 5").code == 5);
 }
 
-// Each process of it has a session of its own. It doubles itself seven times and no more: where a loaded machine
-// lets the supervisor wait, one without end may take the machine from everybody.
+// Each process of it has a session of its own. It doubles only seven times: if the supervisor has
+// to wait on a loaded machine, an endless one may take over the machine.
 constexpr const char* kForkBomb =
     "exec python3 -c 'import os, time\n"
     "for _ in range(7):\n"
@@ -234,7 +234,8 @@ TEST_CASE("a fork bomb in a process namespace ends with one kill") {
   CHECK(trial.run("true").code == 0);
 }
 
-// Linux 5.14 counts the tasks of a user in a namespace by themselves, and 6.14 those of a superuser too.
+// Linux 5.14 counts the tasks of a user in a namespace by themselves, and 6.14 those of a superuser
+// too.
 bool kernel_counts_tasks() {
   utsname system = {};
   int major = 0, minor = 0;
@@ -248,7 +249,7 @@ TEST_CASE("in a process namespace the kernel refuses more tasks, however fast th
   Trial trial(Containment::kNamespaces);
   trial.limits.processes = 40;
   trial.limits.seconds = 20;
-  // Threads are not processes, so that nobody but the kernel ends this.
+  // Threads are not processes, so only the kernel ends this.
   CHECK(
       trial
           .run("exec python3 -c 'import os, threading\n"
@@ -259,7 +260,8 @@ TEST_CASE("in a process namespace the kernel refuses more tasks, however fast th
                "except RuntimeError: os._exit(7)\n"
                "os._exit(8)'")
           .code == 7);
-  // This one never ends, and each process of it has a session of its own, to which the kernel gives as much time as to the supervisor.
+  // This one never ends, and each process of it has a session of its own, to which the kernel gives
+  // as much time as to the supervisor.
   const auto start = Clock::now();
   CHECK(trial
             .run("exec python3 -c 'import os\n"
@@ -352,12 +354,12 @@ TEST_CASE("programs are found as a shell finds them") {
 }
 
 // ---- Folders ----
-// Folders as programs under test leave them.
+// Folders in the state in which programs under test leave them.
 
 namespace fs = std::filesystem;
 constexpr std::uint64_t kAny = std::uint64_t{1} << 40;
 
-// Folders in each other, made from within: their path is longer than any that may be said.
+// Nested folders, made from within: their path is longer than any system call accepts.
 void make_nested(const std::string& folder, int depth) {
   const fs::path back = fs::current_path();
   fs::current_path(folder);

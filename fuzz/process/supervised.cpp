@@ -33,8 +33,8 @@ double seconds_since(Clock::time_point start) {
 
 rlimit both(std::uint64_t value) { return {value, value}; }
 
-// All that the new process needs, made before it exists: between vfork and exec it may only make
-// system calls.
+// Everything that the new process needs, prepared before it exists: between vfork and exec it may
+// only make system calls.
 struct Start {
   const char* folder;
   char* const* arguments;
@@ -59,10 +59,10 @@ void become_program(Start* start) {
   bool done = setrlimit(RLIMIT_CORE, &no_core) == 0 && setrlimit(RLIMIT_CPU, &start->cpu) == 0 &&
               setrlimit(RLIMIT_FSIZE, &start->file_size) == 0 && chdir(start->folder) == 0;
   if (start->limits_memory) done = done && setrlimit(RLIMIT_AS, &start->memory) == 0;
-  // It may have been set lower than this already: then it stays.
+  // If the limit is already lower than this, it stays.
   if (start->tasks.rlim_cur != RLIM_INFINITY) setrlimit(RLIMIT_NPROC, &start->tasks);
   for (int i = 0; i < 3; ++i) done = done && dup2(start->files[i], i) == i;
-  // All is ready, so that it only becomes the program when its turn comes.
+  // Everything is ready, so when its turn comes it only has to exec the program.
   if (done && !start->around.turn.take(start->around.lifeline)) {
     errno = ECANCELED;
     done = false;
@@ -96,7 +96,7 @@ struct OpenFiles {
   bool all_open() const { return std::min({files[0], files[1], files[2]}) >= 0; }
 };
 
-// The kernel is told once how many, since all runs of a supervisor have the same limits.
+// The number is set once, because all runs of a supervisor have the same limits.
 rlim_t tasks_for(const Limits& limits, Containment containment) {
   static rlim_t told = RLIM_INFINITY;
   const rlim_t tasks = most_tasks(containment, limits.processes);
@@ -156,7 +156,7 @@ pid_t start_program(const Request& request, const Limits& limits, const Surround
 
 namespace {
 
-// What the kernel says in one of its files. Nothing here waits for the disk.
+// The contents of one of the kernel's files. Nothing here waits for the disk.
 std::string text_of(const std::string& path) {
   std::string text;
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -181,7 +181,7 @@ std::vector<pid_t> numbers_in(const std::string& folder) {
   return numbers;
 }
 
-// What the kernel has counted for each task of some processes; nothing where it does not count.
+// The kernel's counters for each task of some processes; nothing if the kernel does not count.
 std::map<pid_t, Stalls::Task> tasks_of(const std::vector<pid_t>& processes) {
   std::map<pid_t, Stalls::Task> counted;
   for (const pid_t process : processes) {
@@ -211,9 +211,9 @@ Watch::~Watch() {
 
 double Watch::seconds() const { return seconds_since(start_); }
 
-// Tasks that run side by side need as long as the one that ran longest, or as all of them on all processors. The kernel adds
-// a wait to its counter when the wait ends, so that a wait explains time before this look as well in which nothing ran, but no
-// time to come.
+// Tasks that run side by side need as long as the one that ran longest, or as all of them on all
+// processors. The kernel adds a wait to its counter when the wait ends, so a wait also explains
+// earlier time in which nothing ran, but no later time.
 void Stalls::look(std::chrono::nanoseconds passed, const std::map<pid_t, Task>& tasks,
                   unsigned processors) {
   const auto now = static_cast<std::uint64_t>(passed.count());
@@ -222,7 +222,7 @@ void Stalls::look(std::chrono::nanoseconds passed, const std::map<pid_t, Task>& 
   std::uint64_t waited = 0;
   for (const auto& [number, task] : tasks) {
     Task since = task;
-    // A number may belong to another task by now, which has counted less.
+    // An ID may belong to another task by now, which has counted less.
     const auto known = before_.find(number);
     if (known != before_.end() && known->second.ran <= task.ran &&
         known->second.waited <= task.waited) {
@@ -271,7 +271,8 @@ Ending Watch::wait() {
     const int milliseconds = static_cast<int>(std::ceil(std::min(left, kTick) * 1000));
     poll(files, 2, milliseconds);
     if (files[0].revents != 0 || (process_ < 0 && has_ended())) {
-      // They may all have been started since the last look, until the kernel gave it no more and it ended.
+      // They may all have been started since the last look, until the kernel refused more and it
+      // ended.
       return has_too_many_processes() ? Ending::kProcessLimit : Ending::kExited;
     }
     if ((files[1].revents & (POLLRDHUP | POLLHUP)) != 0) return Ending::kInterrupted;
@@ -308,9 +309,9 @@ Ended described(Ending ending, int status, const Request& request, const Limits&
   return {Ending::kSignalled, WTERMSIG(status)};
 }
 
-// All are stopped before any is killed: of those that start others as fast as they are killed, one that is
-// stopped starts none, and keeps its place, which another one would take. A look that meets none that is new
-// ends the stopping.
+// All are stopped before any is killed: a stopped process starts no others, however fast it forks,
+// and keeps its place, which another one would otherwise take. Stopping ends when a look finds no
+// new process.
 void kill_children(const std::function<std::vector<pid_t>()>& children) {
   std::set<pid_t> stopped;
   for (bool all_stopped = false;;) {
@@ -344,7 +345,7 @@ void kill_descendants(Containment containment) {
   }
 }
 
-// The program itself is not reaped before it is killed, so that its number cannot belong to anybody else.
+// The program itself is not reaped before it is killed, so that its ID cannot be reused.
 int killed(pid_t process, Containment containment) {
   kill(-process, SIGKILL);
   kill(process, SIGKILL);

@@ -23,7 +23,7 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
 }
 
-// The first word of a line, which is taken from it; empty at its end.
+// Removes and returns the first word of a line; empty at its end.
 std::string_view next_word(std::string_view& line) {
   const std::size_t begin = std::min(line.find_first_not_of(" \t\r\v\f"), line.size());
   const std::size_t end = std::min(line.find_first_of(" \t\r\v\f", begin), line.size());
@@ -72,7 +72,7 @@ void Answer::add_line(std::string_view line) {
     // A line has two bytes or more.
     is_garbage_ = error != std::errc() || end != word.data() + word.size() || number > most_ / 2;
     numbers_.push_back(number);
-    if (form_ == Talk::Form::kTet) break;  // Behind it stands of what.
+    if (form_ == Talk::Form::kTet) break;  // What is counted follows.
   }
   is_complete_ = is_garbage_;
   if (is_garbage_ || numbers_.size() < numbers_wanted_) return;
@@ -99,7 +99,7 @@ void close_both(int (&ends)[2]) {
 }  // namespace
 
 int Worker::start(const Request& request, const Limits& limits) {
-  // A worker that ends while it is written to is no reason for this process to end.
+  // A worker that ends while this process writes to it must not end this process.
   signal(SIGPIPE, SIG_IGN);
   int in[2] = {-1, -1};
   int out[2] = {-1, -1};
@@ -108,7 +108,7 @@ int Worker::start(const Request& request, const Limits& limits) {
   files_[kError] = opened_empty(request.stderr_file);
   if (reason == 0 && files_[kError] < 0) reason = errno;
   if (reason == 0) {
-    // What it says is emptied for each case, and goes on at its new end.
+    // The file of what it prints is truncated for each case, and it continues at the new end.
     fcntl(files_[kError], F_SETFL, O_APPEND);
     const Surroundings now = {
         around_.lifeline, {}, around_.containment};  // It is its turn already.
@@ -187,8 +187,7 @@ Ended Worker::answered(const Request& request, const Limits& limits) {
   std::ostringstream question;
   question << std::ifstream(request.stdin_file, std::ios::binary).rdbuf();
   if (!question)
-    return {Ending::kNotStarted,
-            EIO};  // a part of it is not a question that the program has to answer
+    return {Ending::kNotStarted, EIO};  // the program need not answer a part of a question
   Answer answer(request.talk->form, limits.output);
   Ended ended;
   {
@@ -210,7 +209,7 @@ Ended Worker::answered(const Request& request, const Limits& limits) {
   return ended;
 }
 
-// Nothing: there is an answer, and all of the question has been taken.
+// Nothing: there is an answer, and the whole question has been read.
 std::optional<Ending> Worker::talk(const std::string& question, Answer& answer, Watch& watch,
                                    const Limits& limits) {
   std::size_t sent = 0;
@@ -232,13 +231,14 @@ std::optional<Ending> Worker::talk(const std::string& question, Answer& answer, 
     next_look = watch.seconds() + Watch::kTick;
     if (const std::optional<Ending> limit = watch.exceeded()) return limit;
   }
-  // What it was not told yet it would take for the next case.
+  // It would take the unsent rest for the next case.
   if (sent < question.size()) end();
   return std::nullopt;
 }
 
 bool Worker::read_into(Answer& answer) {
-  // What a pipe may hold when its writer has ended; the rest is read after a look at what it uses.
+  // The most that a pipe may hold when its writer has ended; the rest is read after checking the
+  // limits.
   constexpr std::size_t kMost = 1 << 20;
   char block[1 << 16];
   for (std::size_t all = 0; all < kMost && !answer.is_complete();) {
@@ -255,7 +255,7 @@ bool Worker::read_into(Answer& answer) {
 void Worker::write_from(const std::string& question, std::size_t& sent) {
   const ssize_t count = write(files_[kIn], question.data() + sent, question.size() - sent);
   if (count > 0) sent += static_cast<std::size_t>(count);
-  // It reads no more, and will say why, or end.
+  // It stops reading, and will say why, or end.
   if (count < 0 && errno == EPIPE) sent = question.size();
 }
 

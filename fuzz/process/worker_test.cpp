@@ -1,4 +1,4 @@
-// Workers: what they answer case after case, and what becomes of one that does not do as it should.
+// Workers: their answers case after case, and the outcome of one that misbehaves.
 #include "fuzz/process/worker.hpp"
 
 #include <chrono>
@@ -138,7 +138,7 @@ TEST_CASE("a worker that ends or is killed is started anew for the next case") {
   CHECK(partly.ending == Ending::kTimeLimit);
   CHECK(partly.lines == 1);
   CHECK(partly.expected_lines == 2);
-  // yes answers what is not an answer, at once.
+  // yes at once writes something that is not an answer.
   CHECK(trial.answers(script, "6\n"));
   CHECK(trial.text("out").rfind("y\ny\n", 0) == 0);
   CHECK(trial.ask(script, "7\n").ending == Ending::kTimeLimit);
@@ -181,9 +181,11 @@ TEST_CASE("a worker is interrupted") {
 }
 
 // ---- A loaded machine ----
-// A hang is judged by the time in which a program could run, so that others who take the processors make none.
+// A hang is judged by the time in which a program could run, so that other programs on the
+// processors do not cause one.
 
-// How long a program had no processor by these looks, each a tenth of a second after the one before, on two processors.
+// How long a program had no processor according to these looks, a tenth of a second apart, on two
+// processors.
 double stalled(const std::vector<std::map<pid_t, Stalls::Task>>& looks) {
   Stalls stalls;
   std::chrono::milliseconds passed{100};
@@ -204,13 +206,13 @@ TEST_CASE(
                  {{1, {10 * kMs, 90 * kMs}}, {2, {0, 0}}},
                  {{2, {10 * kMs, 90 * kMs}}},
                  {{3, {10 * kMs, 90 * kMs}}}}) == doctest::Approx(0.27));
-  // A wait is told when it has ended.
+  // A wait is counted when it has ended.
   CHECK(stalled({{{1, {0, 0}}}, {{1, {0, 0}}}, {{1, {0, 0}}}, {{1, {50 * kMs, 250 * kMs}}}}) ==
         doctest::Approx(0.25));
   // Two run side by side, as long as one of them alone.
   CHECK(stalled({{{1, {0, 0}}, {2, {0, 0}}},
                  {{1, {30 * kMs, 70 * kMs}}, {2, {30 * kMs, 70 * kMs}}}}) == doctest::Approx(0.07));
-  // What it waited before is not known to have been in this case; and a number may be another task's.
+  // Earlier waits may not have been in this case, and an ID may be another task's.
   CHECK(stalled({{{1, {700 * kMs, 900 * kMs}}}, {{1, {790 * kMs, 900 * kMs}}}}) == 0);
   CHECK(stalled({{{1, {700 * kMs, 900 * kMs}}}, {{1, {20 * kMs, 80 * kMs}}}}) ==
         doctest::Approx(0.08));
@@ -225,7 +227,7 @@ TEST_CASE("tasks that wait for each other, or sleep, are no excuse") {
     after[task] = {25 * kMs, 75 * kMs};
   }
   CHECK(stalled({before, after}) == 0);
-  // Neither do they excuse that they sleep later.
+  // They do not excuse later sleep, either.
   CHECK(stalled({before, after, after, after}) == 0);
   CHECK(stalled({{{1, {0, 0}}}, {{1, {0, 0}}}, {{1, {kMs, 0}}}}) == 0);
 }
@@ -240,7 +242,8 @@ TEST_CASE("time in which no processor is free is not a program's own") {
     request.command = {pinned, "-c", "0", "/bin/sh", "-c", script};
     return trial.supervisor.run(request, trial.limits);
   };
-  // Twelve that compute, each in a session of its own: some systems share a processor among sessions.
+  // Twelve that compute, each in a session of its own: some systems share a processor among
+  // sessions.
   WorkerTrial others;
   others.limits.seconds = 100;
   std::thread load([&] {

@@ -1,9 +1,10 @@
-// Judges a mesh in arrays, at its full size: exactly, and faster than programs make one.
+// Judges a mesh in arrays, at its full size: exactly, and faster than programs make meshes.
 //
 //   std::vector<double> points = …;            // x y z, x y z, …
 //   std::vector<std::int32_t> tetrahedra = …;  // four indices from 0 each
 //   circumspect::MeshArrays<std::int32_t> mesh{.coordinates = points, .simplices = tetrahedra};
-//   if (const auto found = circumspect::judge("delaunay", mesh); !found.holds) puts(found.report.c_str());
+//   const auto found = circumspect::judge("delaunay", mesh);
+//   if (!found.holds) puts(found.report.c_str());
 #pragma once
 
 #include <cstddef>
@@ -24,9 +25,9 @@ struct MeshArrays {
   std::span<const double> coordinates = {};  // d a point
   std::span<const double> weights = {};      // none, or one a point
   std::span<const Index> simplices = {};  // d + 1 indices of points a simplex, from 0, in any order
-  // None, or as many as `simplices`: the index of the simplex across the facet opposite each vertex, −1
-  // where there is none. If they are given they are judged too (rule "complex.wrong-neighbor"), and the
-  // judgement is faster.
+  // None, or as many as `simplices`: the index of the simplex across the facet opposite each
+  // vertex, −1 where there is none. If they are given they are judged too (rule
+  // "complex.wrong-neighbor"), and the judgement is faster.
   std::span<const Index> neighbors = {};
 };
 
@@ -51,11 +52,12 @@ struct MeshJudgement : Judgement {
   JudgeCounts counts = {};
 };
 
-// As judge(claim, points, simplices) of judgement.hpp, word for word, for the claims "triangulation",
-// "delaunay" and "weighted-delaunay" (Book: Definitions 2.1 and 4.1, Section 5.2).
-// Throws std::invalid_argument: an unknown claim; arrays whose lengths do not agree; numbers that are
-// not finite; equal points, and a mesh without points and simplices, unless `options` let them pass. Memory, while the fast judge decides: at most 32 bytes a simplex of a large mesh of space; with
-// the neighbours given, about 1.
+// As judge(claim, points, simplices) of judgement.hpp, word for word, for the claims
+// "triangulation", "delaunay" and "weighted-delaunay" (Book: Definitions 2.1 and 4.1, Section 5.2).
+// Throws std::invalid_argument: an unknown claim; arrays whose lengths do not agree; numbers that
+// are not finite; equal points, and a mesh without points and simplices, unless `options` let them
+// pass. Memory, while the fast judge decides: at most 32 bytes a simplex of a large mesh of space;
+// with the neighbours given, about 1.
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int32_t>& mesh,
                     const JudgeOptions& options = {});
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int64_t>& mesh,

@@ -17,8 +17,8 @@
  *   }
  *   circumspect_verdict_free(verdict);
  *
- * Link with -lcircumspect. Every function may be called by any number of threads at the same time; a
- * verdict may be read by several threads, and is freed once. No function throws, prints, ends the
+ * Link with -lcircumspect. Every function may be called by any number of threads at the same time;
+ * a verdict may be read by several threads, and is freed once. No function throws, prints, ends the
  * process or keeps a pointer to its arguments. Exact numbers are texts in lowest terms: "7",
  * "-1/3". A returned pointer belongs to the handle that was passed, and lives as long as the
  * handle.
@@ -62,9 +62,9 @@ typedef enum circumspect_status {
   CIRCUMSPECT_INTERNAL_ERROR = 6
 } circumspect_status;
 
-/* Why the last call of this thread that returned a status failed, for people: what was expected and what
- * was found, on one line without control characters. Empty if it did not fail. Lives until the thread's next
- * call. Never NULL. */
+/* Why the last call of this thread that returned a status failed, for people: what was expected and
+ * what was found, on one line without control characters. Empty if it did not fail. Lives until the
+ * thread's next call. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_error(void);
 
 /* From now on, each long call of this thread ends with CIRCUMSPECT_UNDECIDED soon after so many
@@ -175,13 +175,13 @@ typedef struct circumspect_options {
 
 typedef struct circumspect_verdict circumspect_verdict;
 
-/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", "complex", or, where
- * there is a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay".
- * Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and so is a mesh without
- * points and simplices, which is what a program that failed often writes, unless it is allowed. An
- * index that names no point is the mesh's fault, and the verdict says so. Of "complex" equal points
- * break a rule, and a mesh without simplices is CIRCUMSPECT_INPUT_FAULT. `options`: NULL for the
- * defaults. *verdict is set if CIRCUMSPECT_OK is returned, else to NULL. */
+/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", "complex",
+ * or, with a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt",
+ * "conforming-delaunay". Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and
+ * so is a mesh without points and simplices, the usual output of a program that failed, unless it
+ * is allowed. An index that names no point is the mesh's fault, and the verdict says so. For
+ * "complex", equal points break a rule, and a mesh without simplices is CIRCUMSPECT_INPUT_FAULT.
+ * `options`: NULL for the defaults. *verdict is set if CIRCUMSPECT_OK is returned, else to NULL. */
 CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
                                                      const circumspect_mesh* mesh,
                                                      const circumspect_domain* domain,

@@ -35,8 +35,8 @@ struct FuzzOptions {
   bool flat_sets = true;  // also points that span only a flat, as in PropertyOptions
 };
 
-// Runs the program on the points that the bytes stand for and judges what it returns. If it is wrong,
-// prints the rule, the points as a .node file and the witness, and aborts. Returns 0.
+// Runs the program on the points that the bytes stand for and judges what it returns. If it is
+// wrong, prints the rule, the points as a .node file and the witness, and aborts. Returns 0.
 int fuzz_once(const Triangulator& subject, const FuzzOptions& options, const std::uint8_t* data,
               std::size_t size);
 

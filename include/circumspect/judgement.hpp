@@ -9,8 +9,8 @@ namespace circumspect {
 
 struct Judgement {
   bool holds = false;
-  // Why it does not: the identifier of the first broken rule ("delaunay.facet-not-local"), or how the
-  // program ended instead of answering: "crash", "signal 11", "hang".
+  // Why it does not: the identifier of the first broken rule ("delaunay.facet-not-local"), or how
+  // the program ended instead of answering: "crash", "signal 11", "hang".
   std::string rule = {};
   // For people, several lines: every witness with its exact values; the text of an exception.
   std::string report = {};
@@ -18,8 +18,8 @@ struct Judgement {
 
 struct JudgeOptions {
   unsigned threads = 1;  // 0: as many as the machine has. The answer is the same for any number
-  // Equal points count as one: the first, or if weights count, the heaviest. Otherwise they are refused: a program
-  // that forgets to share vertices would pass.
+  // Equal points count as one: the first, or if weights count, the heaviest. Otherwise they are
+  // refused: a program that forgets to share vertices would pass.
   bool merge_equal_points = false;
   // A mesh without points and simplices is judged. Otherwise it is refused, because usually a
   // program has made nothing.

@@ -14,11 +14,11 @@ namespace circumspect {
 // Each takes the coordinates of its points one point after the other: orientation d+1 points,
 // in-sphere d+2 (the last one is the query q). Each returns a number with the sign of
 //   orientation: det(p_0 − p_d, …, p_{d−1} − p_d)      Book: Section 3.1, Orient2D and Orient3D
-//   in_sphere:   det(p_0⁺ − q⁺, …, p_d⁺ − q⁺), p⁺ = (p, |p|²): where p_0 … p_d are positively oriented,
-//                positive if q is inside their circumsphere, negative outside, 0 on it
+//   in_sphere:   det(p_0⁺ − q⁺, …, p_d⁺ − q⁺), p⁺ = (p, |p|²): if p_0 … p_d are positively
+//                oriented, positive if q is inside their circumsphere, negative outside, 0 on it
 //                                                      Book: Section 3.1, InCircle and InSphere
-// Only the sign counts. These are the signs of Shewchuk's orient2d, orient3d, incircle and insphere;
-// CGAL's orientation and side_of_oriented_sphere have the opposite orientation in space.
+// Only the sign counts. These are the signs of Shewchuk's orient2d, orient3d, incircle and
+// insphere; CGAL's orientation and side_of_oriented_sphere have the opposite orientation in space.
 using Predicate = std::function<double(const double* coordinates)>;
 
 enum class PredicateKind { kOrientation, kInSphere };

@@ -58,7 +58,8 @@ struct PropertyOptions {
 struct Finding {
   Property property = Property::kClaim;
   std::string family;
-  // `circumspect generate FAMILY --fewer --points MAX --dimension D --seed SEED` makes the original.
+  // `circumspect generate FAMILY --fewer --points MAX --dimension D --seed SEED` makes the
+  // original.
   std::uint64_t seed = 0;
   PointArray original;
   PointArray points;  // the smallest found that breaks the same rule

@@ -14,8 +14,8 @@
 
 namespace circumspect {
 
-// A structure under test. Points keep the number with which they were inserted: 0, 1, 2, … in the order
-// of insertion, never used again. Any exception is a finding.
+// A structure under test. Points keep the number with which they were inserted: 0, 1, 2, … in the
+// order of insertion, never used again. Any exception is a finding.
 class DynamicTriangulation {
  public:
   virtual ~DynamicTriangulation() = default;

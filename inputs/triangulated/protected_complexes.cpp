@@ -34,7 +34,7 @@ std::map<Simplex, std::vector<Simplex>> triangles_by_edge(const std::vector<Simp
   return by_edge;
 }
 
-// Edges that form closed lines, taken apart into such.
+// Decomposes edges that form closed lines into closed lines.
 std::vector<std::vector<Vertex>> closed_lines(std::set<Simplex> edges) {
   std::vector<std::vector<Vertex>> lines;
   while (!edges.empty()) {
@@ -82,8 +82,8 @@ PolygonLines polygon_of(const PointSet& points, const std::vector<Simplex>& part
     if (triangles.size() == 1) boundary.insert(edge);
   }
   PolygonLines polygon{closed_lines(boundary), {}};
-  // With all edges for segments, the polygon's triangles are those of the part and those that fill
-  // its holes: what is enclosed and not in the part.
+  // With all edges as segments, the polygon's triangles are those of the part and those that fill
+  // its holes: the holes are the enclosed area outside the part.
   std::set<Simplex> edges;
   for (const auto& [edge, triangles] : triangles_by_edge(part)) edges.insert(edge);
   const std::vector<std::size_t> axes =
@@ -106,7 +106,7 @@ using generators::ComplexCase;
 using generators::Dice;
 using generators::polygon_along;
 
-// Some of the things, in random order.
+// Some of the items, in random order.
 template <typename T>
 std::vector<T> pick_some(Dice& dice, std::size_t count, std::vector<T> from) {
   std::vector<T> picked;
@@ -141,7 +141,7 @@ class ProtectedEdges {
 
   bool has_facet(const Simplex& triangle) const { return facets_.contains(triangle); }
 
-  // The affinely independent triples and quadruples of vertices any two of which are joined.
+  // The affinely independent triples and quadruples of vertices that are joined pairwise.
   std::vector<Simplex> cliques(std::size_t size) const {
     std::vector<Simplex> found = all();
     while (!found.empty() && found.front().size() < size) {
@@ -209,8 +209,8 @@ void add_segments(Dice& dice, PiecewiseLinearInput& input, const ProtectedEdges&
   for (const Simplex& edge : pick_some(dice, tries, edges.all())) add_if_valid(input, {{edge}, {}});
 }
 
-// The polygons as they are, or some of those that lie in one plane and are joined across edges as
-// one. What is not a valid complex then, remains apart.
+// The unchanged polygons, or some coplanar ones that share edges merged into one. Those whose union
+// would make the complex invalid remain separate.
 std::vector<PolygonLines> merged_at_random(Dice& dice, const PiecewiseLinearInput& input,
                                            const std::vector<Simplex>& facets) {
   std::vector<PolygonLines> polygons;
@@ -229,7 +229,7 @@ std::vector<PolygonLines> merged_at_random(Dice& dice, const PiecewiseLinearInpu
   return polygons;
 }
 
-// A union of tetrahedra that is connected through facets; all of them every other time.
+// A union of tetrahedra that is connected through facets; every other time, all of them.
 std::set<Simplex> grown(Dice& dice, const Triangulation& triangulation) {
   const std::vector<Simplex>& all = triangulation.simplices();
   if (dice.below(2) == 0) return {all.begin(), all.end()};
@@ -244,8 +244,8 @@ std::set<Simplex> grown(Dice& dice, const Triangulation& triangulation) {
   return chosen;
 }
 
-// A point in each of the cavities: components of the complement of the chosen tetrahedra that do not
-// reach the hull. Each only every other time.
+// A point in each of the cavities: components of the complement of the chosen tetrahedra that do
+// not reach the hull. Each only every other time.
 std::vector<Point> cavity_seeds(Dice& dice, const PointSet& points,
                                 const Triangulation& triangulation,
                                 const std::set<Simplex>& chosen) {

@@ -1,5 +1,5 @@
-// Random piecewise linear complexes made of edges of a Delaunay triangulation: edge-protected, so that
-// they have a CDT. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem).
+// Random piecewise linear complexes made of edges of a Delaunay triangulation: edge-protected, so
+// that they have a CDT. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem).
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 namespace circumspect::properties {
 
 // ---- Merged facets ----
-// Triangles of one plane as one polygon. Book: Definition 4.3 (a linear cell may have holes, and may
+// Coplanar triangles as one polygon. Book: Definition 4.3 (a linear cell may have holes, and may
 // touch itself).
 
-// Triangles that lie in one plane and are joined across edges, together. Requires: no two triangles
-// have interior points in common; no three of one plane have an edge in common.
+// Groups triangles that are coplanar and joined across edges. Requires: no two triangles have
+// interior points in common; no three coplanar ones have an edge in common.
 std::vector<std::vector<Simplex>> coplanar_parts(const PointSet& points,
                                                  const std::vector<Simplex>& triangles);
 
@@ -26,25 +26,26 @@ PolygonLines polygon_of(const PointSet& points, const std::vector<Simplex>& part
 // ---- Protected complexes ----
 // The two readings of "edge-protected". "If the symbolic perturbations … are used to make the
 // vertices … generic, then every Delaunay edge is strongly Delaunay": the segments are edges of the
-// canonical Delaunay triangulation. Without perturbation, each has a closed circumball that contains
-// no other vertex.
+// canonical Delaunay triangulation. Without perturbation, each has a closed circumball that
+// contains no other vertex.
 enum class Protection { kCanonical, kStrong };
 
-// Triangles of three edges of the Delaunay triangulation, seldom facets of it, and quadrilaterals of
-// four coplanar ones, as long as they do not cross; other edges as lone segments, which may be slits.
-// Of the hull kind, with dangling and isolated cells.
+// Triangles of three edges of the Delaunay triangulation, seldom facets of it, and quadrilaterals
+// of four coplanar ones, as long as they do not cross; other edges as lone segments, which may be
+// slits. The kind is hull, with dangling and isolated cells.
 generators::ComplexCase protected_polygons(generators::Dice& dice, std::vector<Point> points,
                                            Protection protection = Protection::kCanonical);
 
-// The domain enclosed by tetrahedra of six edges each of the Delaunay triangulation, seldom
-// tetrahedra of it; with dangling polygons and lone segments besides. They share facets, edges,
-// vertices or nothing; with what lies in one plane as one polygon, or not.
+// The domain enclosed by tetrahedra whose six edges are edges of the Delaunay triangulation; seldom
+// are these tetrahedra in it. There are also dangling polygons and lone segments. The tetrahedra
+// share facets, edges, vertices or nothing; coplanar facets may be merged into one polygon.
 generators::ComplexCase protected_solid(generators::Dice& dice, std::vector<Point> points,
                                         Protection protection = Protection::kCanonical);
 
 // The hull, or a face-connected union of tetrahedra of the canonical Delaunay triangulation: convex
-// or not, with or without cavities, pinched at edges or vertices. Its boundary facets of one plane that
-// are joined across edges are one polygon, which may have holes and may touch itself; or some are.
+// or not, with or without cavities, pinched at edges or vertices. All or some coplanar boundary
+// facets that are joined across edges become one polygon, which may have holes and may touch
+// itself.
 generators::ComplexCase delaunay_polyhedron(generators::Dice& dice, std::vector<Point> points);
 
 }  // namespace circumspect::properties

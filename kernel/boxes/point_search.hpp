@@ -22,8 +22,9 @@ inline constexpr std::size_t kNoSimplex = static_cast<std::size_t>(-1);
 // The interface of a Triangulation; its numbers may be of any kind:
 //   size(), row_size(), points()   how many simplices, vertices of each of them, and points
 //   vertex(s, place)               the vertex of simplex s at that place
-//   side(s, place, point)          on which side of the facet opposite that vertex the point lies: positive
-//                                  on that of the simplex, negative on the other, 0 in its hyperplane
+//   side(s, place, point)          on which side of the facet opposite that vertex the point lies:
+//                                  positive on the side of the simplex, negative on the other, 0 in
+//                                  its hyperplane
 //   across(s, place)               the simplex beyond that facet, or kNoSimplex
 // Requires: sound simplices that are a triangulation of a convex set.
 template <class Triangulation>
@@ -89,17 +90,17 @@ class PointSearch {
     return triangulation_.side(plane.simplex, plane.place, point);
   }
 
-  // A vertex of the simplex whose opposite facet has the point strictly beyond it; row_size() if the
-  // closed simplex contains the point.
+  // A vertex of the simplex whose opposite facet has the point strictly beyond it; row_size() if
+  // the closed simplex contains the point.
   std::size_t place_that_hides(std::size_t s, std::size_t point) {
     std::size_t place = 0;
     while (place < triangulation_.row_size() && side({s, place}, point) >= 0) ++place;
     return place;
   }
 
-  // Walks to point number i from simplex `near`, which becomes where the point is; beyond a facet of the
-  // convex hull there is nothing. False if that takes more steps than are left: such a walk can go
-  // round in circles where facets are not locally Delaunay.
+  // Walks to point number i from simplex `near`, which becomes where the point is; beyond a facet
+  // of the convex hull there is nothing. False if that takes more steps than are left: such a walk
+  // can go round in circles where facets are not locally Delaunay.
   bool walk(std::size_t i, std::size_t& near, std::size_t& steps) {
     std::size_t current = near;
     for (; steps > 0; --steps) {

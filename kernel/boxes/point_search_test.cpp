@@ -240,7 +240,8 @@ TEST_CASE("may_meet_inside: what touches in a plane does not, unless all of the 
 
 // ---- Their index ----
 
-// Boxes on a small grid, so that many touch in a face, an edge or a corner; every tenth is unbounded.
+// Boxes on a small grid, so that many touch in a face, an edge or a corner; every tenth is
+// unbounded.
 std::vector<Box> some_boxes(std::size_t count) {
   std::vector<Box> boxes;
   Rational far = 1;

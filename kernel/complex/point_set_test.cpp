@@ -172,8 +172,8 @@ TEST_CASE("circumball: it agrees with Cramer's rule, and power has the sign of t
 
 using generators::PointsCase;
 
-// The barycentric coordinates of a point in a simplex, by the normal equations; nothing if the point
-// is not in its affine hull or the vertices are dependent.
+// The barycentric coordinates of a point in a simplex, by the normal equations; nothing if the
+// point is not in its affine hull or the vertices are dependent.
 std::optional<std::vector<Rational>> barycentric(const std::vector<Point>& simplex,
                                                  const Point& point) {
   std::vector<Point> gram;

@@ -13,9 +13,9 @@ namespace circumspect {
 // The facets of the convex hull of some points, simplicial or not.
 // Book: Section 4.2 (the faces of conv S⁺ and of the cells of the Delaunay subdivision).
 
-// A convex polytope, or a face of one: all points of a set that lie on it, in ascending order. In an
-// unweighted Delaunay subdivision these are its vertices; on a weighted one they may also be points
-// of a face that are not extreme. Its dimension is that of its affine hull.
+// A convex polytope, or a face of one: all points of a set that lie on it, in ascending order. In
+// an unweighted Delaunay subdivision these are its vertices; on a weighted one they may also be
+// points of a face that are not extreme. Its dimension is that of its affine hull.
 using Face = std::vector<Vertex>;
 
 // The facets of the polytope, each with all of its points, in lexicographic order. A single point

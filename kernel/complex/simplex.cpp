@@ -69,7 +69,7 @@ OrientedFacet OrientedFacet::of(const Simplex& vertices_in_order) {
 
 OrientedFacet OrientedFacet::opposite(const Simplex& simplex, std::size_t place) {
   OrientedFacet facet = of(facet_opposite(simplex, place));
-  // Bringing the apex to the end takes one transposition for each vertex behind it.
+  // Moving the apex to the end takes one transposition for each vertex after it.
   const bool moves_are_odd = (simplex.size() - 1 - place) % 2 == 1;
   facet.reversed ^= moves_are_odd;
   return facet;

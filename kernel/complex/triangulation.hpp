@@ -41,7 +41,7 @@ std::map<Simplex, std::vector<Vertex>> apexes_by_facet(const Triangulation& tria
 // ("every d-simplex in T with a face in T_D").
 
 // A set of simplices of one dimension, filed under each of their vertices. Simplices and faces may
-// be named with their vertices in any order; they come back ascending.
+// be named with their vertices in any order; they are returned ascending.
 class StarIndex {
  public:
   explicit StarIndex(const std::vector<Simplex>& simplices);

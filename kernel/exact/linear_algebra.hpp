@@ -1,4 +1,5 @@
-// Linear algebra over the rationals: determinants, systems of linear equations, small linear programs.
+// Linear algebra over the rationals: determinants, systems of linear equations, small linear
+// programs.
 #pragma once
 
 #include <cstddef>

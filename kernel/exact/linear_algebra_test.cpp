@@ -196,8 +196,8 @@ bool is_feasible(const LinearProgram& program, const std::vector<Rational>& x) {
   return true;
 }
 
-// The solution of the equations that only some variables take part in, if their columns are linearly
-// independent and there is one: by the normal equations.
+// The solution of the equations that only some variables take part in, if their columns are
+// linearly independent and there is one: by the normal equations.
 std::optional<Point> basic_solution(const LinearProgram& program,
                                     const std::vector<std::size_t>& basis) {
   std::vector<Point> gram;
@@ -315,8 +315,8 @@ TEST_CASE("linear program: a degenerate program on which other pivot rules cycle
   CHECK(is_feasible(beale, answer.solution));
 }
 
-// Found by search: it cycles where Bland's rule is followed for the variable that enters, and of the
-// rows that bind it first the one with the largest variable leaves.
+// Found by search: it cycles where Bland's rule is followed for the variable that enters, and of
+// the rows that bind it first the one with the largest variable leaves.
 TEST_CASE("linear program: a degenerate program on which half of Bland's rule cycles") {
   const LinearProgram program = {
       {{-4, 8, -5, 1, -1, 5, 0}, {3, -5, -5, 2, 0, -9, -9}, {-6, -9, -7, -1, 0, -9, 2}},

@@ -51,8 +51,8 @@ namespace {
 
 using Result = tl::expected<Rational, NumberError>;
 
-// A scanned number: sign, digits without the point, how many of them stand behind the point, and
-// the written exponent (to base 10 or 2).
+// A scanned number: sign, digits without the point, how many of them follow the point, and the
+// written exponent (to base 10 or 2).
 struct Scan {
   bool negative = false;
   bool hexadecimal = false;
@@ -82,7 +82,7 @@ std::string take_digits(std::string_view& rest, bool hexadecimal) {
   return digits;
 }
 
-// The exponent behind 'e' or 'p'; false if there is none to read where one must be.
+// The exponent after 'e' or 'p'; false if it is missing although required.
 bool take_exponent(std::string_view& rest, Scan& scan) {
   rest.remove_prefix(1);
   const bool negative = take_sign(rest);

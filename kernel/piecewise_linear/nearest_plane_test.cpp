@@ -24,7 +24,8 @@ Rational squared_half_width(const std::vector<Point>& points, const Point& norma
   return half * half / squared_length(normal);
 }
 
-// Corners of a polygon in a slanted plane, each a few bits off it; with `bits` 0 anywhere in a cube.
+// Corners of a polygon in a slanted plane, each a few bits off it; with `bits` 0 anywhere in a
+// cube.
 std::vector<Point> cloud(Random& random, std::size_t count, long bits) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < count; ++i) {

@@ -12,13 +12,13 @@
 namespace circumspect {
 
 // Which part of space a complex is meant to fill. `kEnclosed`: its polyhedra are the bounded
-// components of the complement of its polygons (in the plane: its polygons those of the complement of
-// its segments), without those that hold a hole seed. `kHull`: the convex hull of its vertices; the
-// polygons and segments are internal constraints.
+// components of the complement of its polygons (in the plane: its polygons those of the complement
+// of its segments), without those that hold a hole seed. `kHull`: the convex hull of its vertices;
+// the polygons and segments are internal constraints.
 enum class DomainKind { kEnclosed, kHull };
 
-// A polygon: a linear cell of dimension 2 in space, possibly with holes, with slits, and with vertices
-// in its relative interior. It is the part of its plane that its triangles cover.
+// A polygon: a linear cell of dimension 2 in space, possibly with holes, with slits, and with
+// vertices in its relative interior. It is the part of its plane that its triangles cover.
 struct Polygon {
   std::vector<Vertex> vertices;    // every vertex of the complex that lies in it, ascending
   std::vector<Simplex> segments;   // every segment that lies in it: outline, holes and slits
@@ -27,9 +27,9 @@ struct Polygon {
   std::vector<Simplex> triangles;  // some triangulation of it that has its segments as edges
 };
 
-// The cells of a PLC in the plane (d = 2: no polygon is listed, they follow from the segments) or in
-// space (d = 3: the polyhedra follow from the polygons). Segments are pairs of vertices, ascending,
-// each once, in lexicographic order; every edge of a polygon's outline is among them.
+// The cells of a PLC in the plane (d = 2: no polygon is listed, they follow from the segments) or
+// in space (d = 3: the polyhedra follow from the polygons). Segments are pairs of vertices,
+// ascending, each once, in lexicographic order; every edge of a polygon's outline is among them.
 struct PiecewiseLinearComplex {
   PointSet points;
   std::vector<Simplex> segments;

@@ -101,8 +101,8 @@ struct Sides {
   bool has_segment_in_plane = false;
 };
 
-// Which of some polygons share two vertices that no segment joins: a chord. The chords of a polygon of
-// few vertices are listed; those of another, which may be too many, are not.
+// Which of some polygons share two vertices that no segment joins: a chord. The chords of a polygon
+// of few vertices are listed; those of another, which may be too many, are not.
 class CommonChords {
  public:
   CommonChords(const PiecewiseLinearComplex& complex, const std::vector<std::size_t>& polygons)
@@ -190,18 +190,18 @@ class CommonChords {
 };
 
 // How two tiles of different polygons can go wrong, given that vertices and segments form a
-// simplicial complex, no segment pierces a polygon, and all vertices and segments of the complex that
-// lie in a polygon are corners and edges of its tiles.
+// simplicial complex, no segment pierces a polygon, and all vertices and segments of the complex
+// that lie in a polygon are corners and edges of its tiles.
 //
-// The ends of a common stretch of two polygons of different planes lie on the boundary of one or the
-// other, in a segment; were they not vertices, the segment would pierce the other polygon or lie in
-// both and go on. So the stretch runs from vertex to vertex, and is legal iff it consists of
+// The ends of a common stretch of two polygons of different planes lie on the boundary of one or
+// the other, in a segment; were they not vertices, the segment would pierce the other polygon or
+// lie in both and go on. So the stretch runs from vertex to vertex, and is legal iff it consists of
 // segments, which then are edges of tiles of both.
 //
-// Let the interiors of two polygons of one plane meet, and take from what they share all segments. A
-// component of the rest is bounded by segments, whose ends are vertices of both polygons. If it is a
-// triangle with no other vertices, it is a tile of both. If not, it can be cut into two triangles or
-// more, and the edges between them join vertices of both that no segment joins.
+// Let the interiors of two polygons of one plane meet, and take from what they share all segments.
+// A component of the rest is bounded by segments, whose ends are vertices of both polygons. If it
+// is a triangle with no other vertices, it is a tile of both. If not, it can be cut into two
+// triangles or more, and the edges between them join vertices of both that no segment joins.
 //
 // So only equal tiles need a look, and polygons that have a *chord* in common: two vertices that no
 // segment joins. In these polygons, only tiles with an edge within their polygon need a look: a

@@ -36,7 +36,7 @@ struct Gap {
   std::vector<Vertex> upper;
 };
 
-// A segment that the line meets, and the gap above it.
+// A segment that the sweep line meets, and the gap above it.
 struct Crossed {
   Vertex left;
   Vertex right;

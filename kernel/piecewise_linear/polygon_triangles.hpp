@@ -1,7 +1,6 @@
-// Cutting a polygon into triangles, in any way that keeps its segments. Nothing here is Delaunay: the
-// triangles only say exactly which points belong to the polygon.
-// Book: Section 4.5.1, Figure 4.11 ("Each polygon … may have holes, slits, and vertices in its relative
-// interior").
+// Cutting a polygon into triangles, in any way that keeps its segments. Nothing here is Delaunay:
+// the triangles only say exactly which points belong to the polygon. Book: Section 4.5.1, Figure
+// 4.11 ("Each polygon … may have holes, slits, and vertices in its relative interior").
 #pragma once
 
 #include <vector>

@@ -83,11 +83,11 @@ Point bend(const Point& from, const Point& to, int t) {
 // U (infinity included, so that U lies on a sphere of some dimension) falls into connected pieces
 // D_1, D_2, …; the boundary of one is connected, for the sphere is unicoherent: if two connected
 // closed sets D_i and the closure of the rest cover it, they meet in a connected set. So all sides
-// that face U from one D_i are joined by walking along the surface: by step 1 and, at corners, step
-// 2. Every D_i that U has a wall in common with contains with one wall all that is connected to it, so
-// the path visits every D_i. Between its stay in one D_i and the next in D_j it goes through U
-// alone, and the last wall it has left and the next one it meets join the sides of D_i with those
-// of D_j. As it visits all of them, all are joined.
+// that face U from one D_i are joined by walking along the surface: by step 1 and, at corners, by
+// step 2. Every D_i that U has a wall in common with contains with one wall all that is connected
+// to it, so the path visits every D_i. Between its stay in one D_i and the next in D_j it goes
+// through U alone, and the last wall it has left and the next one it meets join the sides of D_i
+// with those of D_j. As it visits all of them, all are joined.
 //
 // Paths are made of straight segments that meet walls in interior points only, out of the walls'
 // own planes; a bend in each makes that possible. For all but finitely many points of a moment

@@ -64,8 +64,8 @@ class WallSet {
   // of a wall that it comes near.
   std::optional<Rational> free_part(const Point& from, const Point& way) const;
 
-  // The same as `crossings`, for some walls at the vertex `apex` (space only), each made longer without end: the
-  // cone over it, seen from the apex.
+  // The same as `crossings`, for some walls at the vertex `apex` (space only), each made longer
+  // without end: the cone over it, seen from the apex.
   std::optional<std::vector<Crossing>> cone_crossings(Vertex apex,
                                                       std::span<const std::size_t> walls,
                                                       const Point& from, const Point& to) const;

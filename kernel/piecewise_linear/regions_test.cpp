@@ -1,4 +1,4 @@
-// Regions of the plane and of space, and the polygons that bound them, made of lines.
+// Regions of the plane and of space, and the polygons made of lines that bound them.
 #include "kernel/piecewise_linear/regions.hpp"
 
 #include <algorithm>

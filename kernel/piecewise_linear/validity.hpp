@@ -21,12 +21,12 @@ namespace circumspect {
 // ---- Breach ----
 // What is wrong with an input that is not a piecewise linear complex. Book: Definition 4.3.
 
-// One breach with its witness: breaches.def says what each kind sets. Vertices are indices of the input,
-// segments ascending pairs of them, polygons places in its list of polygons.
+// One breach with its witness: breaches.def says what each kind sets. Vertices are indices of the
+// input, segments ascending pairs of them, polygons places in its list of polygons.
 //
-// The offset of a point q from the plane through a, b, c: with n = (b − a) × (c − a) and i the first
-// axis on which |n_i| is greatest, n·(q − a) / n_i. It is the distance of q from the plane along
-// axis i, positive in the direction of the axis.
+// The offset of a point q from the plane through a, b, c: with n = (b − a) × (c − a) and i the
+// first axis on which |n_i| is greatest, n·(q − a) / n_i. It is the distance of q from the plane
+// along axis i, positive in the direction of the axis.
 struct Breach {
   BreachKind kind;
   std::vector<Vertex> vertices = {};
@@ -94,20 +94,20 @@ struct ValidityWatch {
   std::function<void(const Breach&)> on_breach = {};
 };
 
-// The complex that an input describes, or what keeps it from being one: at most `limit` breaches, or
-// all if that is 0. Judged in stages, so that breaches are causes and not their consequences:
+// The complex that an input describes, or what keeps it from being one: at most `limit` breaches,
+// or all if that is 0. Judged in stages, so that breaches are causes and not their consequences:
 //
 // 1. the lists: indices, duplicates, ends of segments;
 // 2. every polygon's plane, and vertices and segments against one another: they must form a
 //    simplicial complex (first condition of Definition 4.3);
 // 3. what the lines of every polygon enclose, and its hole seeds;
-// 4. segments against polygons: one that has an interior point in a polygon must lie in it (Exercise
-//    1 of Chapter 4), which it does unless it pierces the polygon, for to leave it within its plane it
-//    would have to cross its boundary;
+// 4. segments against polygons: one that has an interior point in a polygon must lie in it
+//    (Exercise 1 of Chapter 4), which it does unless it pierces the polygon, for to leave it within
+//    its plane it would have to cross its boundary;
 // 5. polygons against polygons, and the hole seeds of the domain against polygons.
 //
-// Legal are dangling polygons and segments, isolated vertices, open surfaces, slits, several lines a
-// polygon, lines of two vertices or one, a segment listed twice or also an edge of a polygon, a
+// Legal are dangling polygons and segments, isolated vertices, open surfaces, slits, several lines
+// a polygon, lines of two vertices or one, a segment listed twice or also an edge of a polygon, a
 // line that passes an edge or a vertex again (not immediately), polygons that touch in a vertex.
 // Anything that a polygon lists but that lies outside it belongs to the complex, not to the
 // polygon. Requires: points and hole seeds all have the same dimension, 2 or 3; in the plane no

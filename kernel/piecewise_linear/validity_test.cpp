@@ -98,7 +98,8 @@ TEST_CASE("plc.polygon-not-planar: how far off the plane that is nearest to all 
   Breach expected{BreachKind::kPolygonNotPlanar, {0, 1, 2, 3}, {}, {0}};
   expected.squared_distance = Rational(8, 1153);
   CHECK(breaches(input) == std::vector<Breach>{expected});
-  // The first three corners are nearly in one line, and the others one off their plane. One breach, not two.
+  // The first three corners are nearly in one line, and the others one off their plane. One breach,
+  // not two.
   PiecewiseLinearInput narrow;
   for (const auto& [x, y, z] :
        {std::array{.1, .3, 0.}, {.2, .6, 0.}, {.3, .9, 0.}, {.3, .9, 1.}, {.1, .3, 1.}}) {
@@ -180,8 +181,8 @@ TEST_CASE("plc.polygons-overlap") {
   CHECK(is_valid(with_polygon(square({{12, 0, 0}, {12, 8, 0}}), {1, 4, 5, 2})));
 }
 
-// A polygon in the plane y = 0 (else x = 0) that lies on both sides of the line from (0, 0, 0) to (0, 0, 1),
-// with a saw of so many teeth on one side.
+// A polygon in the plane y = 0 (else x = 0) that lies on both sides of the line from (0, 0, 0) to
+// (0, 0, 1), with a saw of so many teeth on one side.
 PiecewiseLinearInput with_saw(PiecewiseLinearInput input, Vertex teeth, bool in_x) {
   std::vector<Vertex> line = {0};
   const auto add = [&](const Rational& along, Rational height) {

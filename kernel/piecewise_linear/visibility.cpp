@@ -103,8 +103,9 @@ class Visibility {
   // are
   //  - if k = 3, the walls, which are triangles of polygons;
   //  - if k = 2 in the plane, the walls, which are segments;
-  //  - if k = 2 in space, segments in H, and what H cuts out of walls. A polygon that lies in H occludes
-  //    nothing: a line in H that enters or leaves it crosses its boundary, which consists of segments.
+  //  - if k = 2 in space, segments in H, and what H cuts out of walls. A polygon that lies in H
+  //    occludes nothing: a line in H that enters or leaves it crosses its boundary, which consists
+  //    of segments.
   // If v ∉ aff σ, a polygon that contains σ meets no line of sight before σ, or includes it.
   //
   // To avoid looking at all cells, one line of sight is tried, through a part of φ that is still

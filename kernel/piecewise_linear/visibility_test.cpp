@@ -168,8 +168,8 @@ TEST_CASE("visibility in the plane: segments occlude, slits, holes, both kinds")
   CHECK(seen_from(bent, {2, 3}) == std::vector<Vertex>{0, 1, 4});
 }
 
-// A line of sight that passes a corner of a triangle of the polygon that it lies in is not closed off
-// by that triangle.
+// A line of sight that passes a corner of a triangle of the polygon that it lies in is not closed
+// off by that triangle.
 TEST_CASE("visibility: within a dangling polygon, past a vertex inside it") {
   PiecewiseLinearInput input;
   input.points = {{1, -5, 0}, {2, 0, 0}, {3, -5, 0}, {1, 5, 0}, {3, 5, 0},

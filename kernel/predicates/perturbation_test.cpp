@@ -1,5 +1,5 @@
 // The laws of kernel/predicates/perturbation.hpp, under their numbers; and
-// perturbed_in_outer_halfspace, the conflict test of ghost simplices, against what it stands for.
+// perturbed_in_outer_halfspace, the conflict test of ghost simplices, compared with its meaning.
 #include "kernel/predicates/perturbation.hpp"
 
 #include <algorithm>

@@ -14,8 +14,8 @@ bool has(std::span<const Vertex> simplex, Vertex v) {
   return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
 }
 
-// The least sign of the barycentric coordinates of v: each is the orientation of the simplex with v in
-// one vertex's place, times the simplex's own. −1 once one is negative.
+// The least sign of the barycentric coordinates of v: each is the orientation of the simplex with v
+// in one vertex's place, times the simplex's own. −1 once one is negative.
 int least_barycentric_sign(const Configuration& points, std::span<const std::size_t> axes,
                            std::span<const Vertex> simplex, Vertex v) {
   const int own = orientation(points, axes, simplex);

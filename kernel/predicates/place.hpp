@@ -1,15 +1,16 @@
 // Where a vertex lies with respect to a simplex, and how segments and triangles lie with respect to
 // one another, by signs of integer determinants alone. If two of them meet, `intersection` computes
 // where. Book: Definition 4.3 (cells that meet only in shared cells), Section 5.5 (the simplex that
-// contains a point). All of them require distinct points.
+// contains a point). All functions require distinct points.
 //
 // Laws (held by place_test.cpp under these numbers):
 //  P1 v lies in a closed simplex iff it is a convex combination of its vertices, and inside iff all
 //     coefficients are positive.
-//  P2 v lies in a closed simplex iff it lies inside exactly one of its faces; a vertex lies inside itself.
+//  P2 v lies in a closed simplex iff it lies inside exactly one of its faces; a vertex lies inside
+//     itself.
 //  P3 the order of a simplex's vertices, and which of two simplices is named first, do not matter.
-//  P4 a segment that crosses another, or pierces a triangle, has just one point in common with it, which
-//     is inside both, or inside the segment and in the triangle.
+//  P4 a segment that crosses another, or pierces a triangle, has just one point in common with it,
+//     which is inside both, or inside the segment and in the triangle.
 //  P5 triangles of a plane whose interiors meet have a triangle in common.
 #pragma once
 
@@ -21,8 +22,8 @@
 
 namespace circumspect {
 
-// Does v lie in the closed simplex, or in its relative interior? `axes` are a coordinate system of the
-// simplex's affine hull. Requires: affinely independent vertices.
+// Does v lie in the closed simplex, or in its relative interior? `axes` are a coordinate system of
+// the simplex's affine hull. Requires: affinely independent vertices.
 bool lies_in(const Configuration& points, std::span<const std::size_t> axes,
              std::span<const Vertex> simplex, Vertex v);
 bool lies_inside(const Configuration& points, std::span<const std::size_t> axes,
@@ -44,8 +45,8 @@ bool lies_inside_segment(const Configuration& points, std::span<const Vertex> se
 bool segments_cross(const Configuration& points, std::span<const Vertex> a,
                     std::span<const Vertex> b);
 
-// Two axes on which the plane of the triangle projects injectively, the first such pair; none if its
-// corners are on one line.
+// Two axes on which the plane of the triangle projects injectively, the first such pair; none if
+// its corners are on one line.
 std::vector<std::size_t> axes_of_plane(const Configuration& points,
                                        std::span<const Vertex> triangle);
 

@@ -145,7 +145,9 @@ Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints poin
 
 // From the scale to the sample point; proofs/CERTIFICATE.md lays it out. The mesh says by which index its
 // user knows a point.
-void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate);
+// The last points, so many, have no label.
+void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
+                std::size_t helpers = 0);
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate);

@@ -249,6 +249,7 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
 tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledMesh& filled_mesh,
                                                                    const Domain& domain,
                                                                    const ListedSegments& listed,
+                                                                   Claim claim,
                                                                    const HullFillers& fillers) {
   HullFillers known = fillers;
   const std::size_t dimension = domain.complex.ambient_dimension();
@@ -256,8 +257,9 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledM
     return points.ambient_dimension() == dimension ? filled_mesh.rest
                                                    : fillers.fill(points, simplices);
   };
-  return domain_certificate_of(filled_mesh.mesh, domain, listed, Claim::kSteinerTriangulation,
-                               known);
+  auto made = domain_certificate_of(filled_mesh.mesh, domain, listed, claim, known);
+  if (made) made->helpers = filled_mesh.helpers;
+  return made;
 }
 
 }  // namespace circumspect::certificate

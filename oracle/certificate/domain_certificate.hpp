@@ -100,6 +100,7 @@ struct DomainCertificate {
   DomainPart part = {};
   std::vector<PolygonCertificate> polygons = {};
   std::optional<ComplexPart> complex = {};
+  std::size_t helpers = 0;  // points without a label, the last ones
 };
 
 // A mesh of a domain in which nothing dangles, and the simplices that fill the hull of its points besides. Its points need
@@ -107,6 +108,7 @@ struct DomainCertificate {
 struct FilledMesh {
   ExactMesh mesh;
   std::vector<Simplex> rest;
+  std::size_t helpers = 0;  // so many points, the last ones, are nobody's: only the rest has them
 };
 
 // What a domain certificate needs and does not construct: it need not be trusted.
@@ -135,10 +137,11 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
                                                                    Claim claim,
                                                                    const HullFillers& fillers);
 
-// The same of a mesh with what fills its hull: a Steiner triangulation.
+// The same of a mesh with what fills its hull.
 tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledMesh& filled_mesh,
                                                                    const Domain& domain,
                                                                    const ListedSegments& listed,
+                                                                   Claim claim,
                                                                    const HullFillers& fillers);
 
 // As proofs/CERTIFICATE.md lays it out.

@@ -412,7 +412,7 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, 
   const PiecewiseLinearComplex& complex = domain.complex;
   const auto filled = fillers.mesh(complex);
   if (!filled) return tl::unexpected(std::string("no mesh of the domain was found"));
-  auto mesh = domain_certificate_of(*filled, domain, listed, fillers);
+  auto mesh = domain_certificate_of(*filled, domain, listed, Claim::kSteinerTriangulation, fillers);
   if (!mesh) return tl::unexpected(mesh.error());
   Impossibility made{.claim = claim,
                      .kind = complex.kind,

@@ -247,7 +247,8 @@ class WholeSearch {
   std::optional<WholeEvidence> uncovered_inside() {
     const auto other = fillers_.mesh(domain_.complex);
     if (!other) return std::nullopt;
-    auto certificate = domain_certificate_of(*other, domain_, listed_, fillers_);
+    auto certificate =
+        domain_certificate_of(*other, domain_, listed_, Claim::kSteinerTriangulation, fillers_);
     if (!certificate) return std::nullopt;
     const ExactMesh& mesh = other->mesh;
     for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {

@@ -11,7 +11,8 @@ namespace circumspect::certificate {
 
 namespace {
 
-void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certificate) {
+void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
+                  std::size_t helpers) {
   lines << "points" << certificate.order.size();
   lines.end_line();
   for (const Vertex v : certificate.order) {
@@ -23,7 +24,11 @@ void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certif
     } else {
       lines << "-";
     }
-    lines << mesh.label(v);
+    if (static_cast<std::size_t>(v) + helpers < certificate.order.size()) {
+      lines << mesh.label(v);
+    } else {
+      lines << "-";
+    }
     lines.end_line();
   }
 }
@@ -75,9 +80,10 @@ void write_hull(Lines& lines, const Certificate& certificate) {
 
 }  // namespace
 
-void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate) {
+void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
+                std::size_t helpers) {
   write_scale(lines, certificate.points);
-  write_points(lines, mesh, certificate);
+  write_points(lines, mesh, certificate, helpers);
   write_simplices(lines, certificate);
   write_hull(lines, certificate);
   lines << "sample" << 1;
@@ -240,7 +246,7 @@ void write_complex(Lines& lines, const std::vector<std::size_t>& number,
 
 // The mesh of the whole hull, and how the domain lies in it.
 void write_body(Lines& lines, const DomainCertificate& certificate) {
-  write_mesh(lines, certificate.whole, certificate.mesh);
+  write_mesh(lines, certificate.whole, certificate.mesh, certificate.helpers);
   write_part(lines, certificate.mesh, certificate.part);
   if (certificate.mesh.points.dimension != 3) return;
   begin_section(lines, "polygons", certificate.polygons.size());

@@ -17,8 +17,8 @@ struct Judged {
   // At all ranks: does the claim hold? If there are equal points, there is no verdict.
   bool holds = false;
   EqualPoints equal = {};
-  // At the first rank: the verdict that check::judge gives on the whole mesh, and a mesh by which the report
-  // names what the witnesses name (report/text.hpp).
+  // At the first rank: the verdict that check::judge gives on the whole mesh, and a mesh by which
+  // the report names what the witnesses name (report/text.hpp).
   std::optional<Verdict> verdict = {};
   Mesh named = {};
 };

@@ -1,4 +1,5 @@
-// The part of a mesh that one rank has: simplices, and points with numbers of this rank, as the fast judge needs them.
+// The part of a mesh that one rank has: simplices, and points with numbers of this rank, as the
+// fast judge needs them.
 #pragma once
 
 #include <algorithm>
@@ -76,7 +77,8 @@ struct Dealt {
 
 // ---- Local mesh ----
 
-// A facet of a simplex of some rank: simplex · (d + 1) + place of the vertex opposite, as that rank counts.
+// A facet of a simplex of some rank: simplex · (d + 1) + place of the vertex opposite, as that rank
+// counts.
 struct FacetName {
   std::int32_t rank = -1;
   std::uint32_t facet = 0;
@@ -107,8 +109,8 @@ class LocalMesh {
   // count.
   LocalMesh(Ranks& ranks, Dealt dealt, bool weighted);
 
-  // Simplices as the fast judge sees them. The order of points is that of the whole mesh; −1 stands for an index
-  // that names no point there.
+  // Simplices as the fast judge sees them. The order of points is that of the whole mesh; −1 stands
+  // for an index that names no point there.
   fast::MeshView<kDimension, std::int32_t> view() const {
     return {coordinates_, weights_, simplices_};
   }

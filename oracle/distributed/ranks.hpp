@@ -210,8 +210,8 @@ class Ranks {
 
 // ---- Meeting ----
 
-// The items of the list that are the same, group by group. `hash` and `same` are about items; visit(group) gets
-// their places in the list, in no particular order.
+// The items of the list that are the same, group by group. `hash` and `same` are about items;
+// visit(group) gets their places in the list, in no particular order.
 template <class Item, class Hash, class Same, class Visit>
 void for_each_group(std::span<const Item> items, const Hash& hash, const Same& same,
                     const Visit& visit) {

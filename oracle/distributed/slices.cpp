@@ -29,7 +29,7 @@ tl::unexpected<FormatError> fail(const std::string& file, std::string expected, 
 Result<RandomAccess> opened(const std::string& path) {
   auto file = RandomAccess::open(path);
   if (file) return std::move(*file);
-  // The message of load() about something that is not a file, or may not be read.
+  // The error of load() for something that is not a file, or may not be read.
   if (const auto source = formats::load(path); !source) return tl::unexpected(source.error());
   return fail(path, "a file that each rank can read a part of", "a pipe");
 }

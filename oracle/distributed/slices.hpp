@@ -15,8 +15,8 @@ namespace circumspect::distributed {
 struct Files {
   std::string mesh;                        // .npy, or .ele
   std::optional<std::string> points = {};  // .npy, or .node; for x.ele the default is x.node
-  // If there are parts, a file for each rank (all of them .npy), in whose names %d stands for its number: which point
-  // of the whole each point of the part is, counted from 0.
+  // If there are parts: the names of a file for each rank (all of them .npy), with %d in the place
+  // of its number: which point of the whole each point of the part is, counted from 0.
   std::optional<std::string> indices = {};
   bool weighted = false;  // the first attributes of a .node file count
 };

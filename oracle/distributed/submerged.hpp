@@ -1,5 +1,5 @@
-// Condition 4w of docs/theory/points.md for a mesh spread over several ranks: points of a weighted set that are not
-// vertices.
+// Condition 4w of docs/theory/points.md for a mesh spread over several ranks: points of a weighted
+// set that are not vertices.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Properties of all readers: no bytes crash them, every error is one line with the name of the
-// file, and what is written is read back as it was.
+// file, and a mesh that is written is read back unchanged.
 #include <sstream>
 
 #include <doctest/doctest.h>
@@ -100,7 +100,7 @@ const std::vector<std::string> kSamples = {
     "mtllib a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 \\\n3/1\nl -1 -2\n",
     "id;x;y\n1;0.5;2\n2;1/3;4\n"};
 
-// Of the forms of one mesh of elements, one is drawn.
+// Draws one of the forms of a mesh of elements.
 const WrittenMesh kElements = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}},
                                {{0, 1}, {0, 1, 2}, {0, 1, 2, 3}}};
 

@@ -21,7 +21,8 @@ namespace circumspect::formats {
 
 namespace {
 
-// The line without corners that repeat the one before them; the last counts as before the first.
+// The line without corners that repeat the previous one; the last corner counts as previous to the
+// first.
 std::vector<Vertex> without_repetitions(const std::vector<Vertex>& line) {
   std::vector<Vertex> corners;
   std::unique_copy(line.begin(), line.end(), std::back_inserter(corners));
@@ -48,7 +49,7 @@ bool has_cycle(const std::set<Simplex>& segments) {
   return false;
 }
 
-// The segments of a facet whose lines have two corners at most; empty if they have more.
+// The segments of a facet whose lines have at most two corners; empty if a line has more.
 std::set<Simplex> lone_segments(const PolygonLines& facet) {
   std::set<Simplex> segments;
   for (const auto& line : facet.lines) {
@@ -237,7 +238,7 @@ Result<DomainFile> domain_of_off(const Source& source, NumberReading reading) {
   return file;
 }
 
-// Where edges are listed these are the domain, and triangles are cells of its mesh.
+// If edges are listed, they are the domain, and triangles are cells of its mesh.
 template <Result<ElementFile> (*read)(const Source&, NumberReading)>
 Result<DomainFile> domain_of_elements(const Source& source, NumberReading reading) {
   const Result<ElementFile> file = read(source, reading);
@@ -288,7 +289,7 @@ const DomainFormat* domain_format_of(std::string_view extension) {
   return found == kDomainFormats.end() ? nullptr : found;
 }
 
-// The format of a file whose name does not say it; null if what it holds does not, either.
+// The format of a file whose name does not tell; null if its content does not tell, either.
 const DomainFormat* sniff(const Source& source) {
   if (is_vtk(source.text)) return domain_format_of(".vtk");
   if (is_vtu(source.text)) return domain_format_of(".vtu");

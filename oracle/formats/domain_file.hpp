@@ -15,28 +15,27 @@
 namespace circumspect::formats {
 
 // ---- Domain file ----
-// What a file of a domain holds, in any format: a piecewise linear complex as it was handed in, and
-// where each of its parts stands.
+// The content of a domain file in any format: a piecewise linear complex as it was given, and the
+// line of each of its parts.
 
 struct DomainFile {
   std::size_t dimension = 0;   // 2 or 3, of every point
   PiecewiseLinearInput input;  // vertices from 0; there may be duplicates among the points
   Vertex first_index = 0;      // the user's index of the first point
   std::vector<Vertex> labels =
-      {};  // the user's own index of each point, where they are not in a row
-  std::vector<std::size_t> segment_lines =
-      {};  // the line on which each segment stands, for messages
+      {};  // the user's own index of each point, if they are not consecutive
+  std::vector<std::size_t> segment_lines = {};  // the line of each segment, for messages
   std::vector<std::size_t> polygon_lines = {};  // the same for each polygon; 0: a binary file
-  std::vector<Vertex> polygon_markers = {};     // what the file says each is; 0: nothing
+  std::vector<Vertex> polygon_markers = {};     // the marker of each in the file; 0: none
   std::string name = {};
   std::string points_name = {};  // the file of the points, if they are elsewhere
   std::vector<std::string> notes =
-      {};  // what was read otherwise than it stands there, one line each
-  // In the plane: what the file lists as faces. Nothing else is filled, unless the user says so;
-  // none: all that segments enclose.
+      {};  // what was read differently from what the file says, one line each
+  // In the plane: the faces that the file lists. Only these are filled, unless the user says
+  // otherwise; if there are none, everything that segments enclose is filled.
   std::vector<PolygonLines> faces = {};
-  // The file has points in space, and was taken for one in the plane (plane.hpp): what was left
-  // out, and the file as it stands, with its faces among the polygons.
+  // The file has points in space, and was read as a planar one (plane.hpp): what was left out, and
+  // the unchanged domain, with its faces among the polygons.
   struct Flat {
     Rational height;
     std::shared_ptr<const DomainFile> in_space;
@@ -48,20 +47,20 @@ struct DomainFile {
   }
 };
 
-// Takes over points: all of one dimension, which must be that of the plane or of space.
+// Takes over points, which all must have the same dimension, 2 or 3.
 Status take_points(DomainFile& file, PointFile points, std::size_t line);
 
 // The place of a point that a file names by `index`. Errors: there is no such point.
 Result<Vertex> place_of(const DomainFile& file, Vertex index, std::size_t line);
 
 // Adds a facet of TetGen's: closed lines of three corners or more, segments of two and isolated
-// vertices of one. Consecutive corners that are equal say nothing new: they become one, which is
-// noted. What encloses no area becomes segments alone. Corners are places from 0.
+// vertices of one. Consecutive equal corners become one, which is noted. Lines that enclose no area
+// become segments. Corners are places from 0.
 void add_facet(DomainFile& file, PolygonLines facet, std::size_t line, Vertex marker = 0);
 
 void add_segment(DomainFile& file, const Simplex& segment, std::size_t line);
 
-// The same with equal points as one, the first of them; what vanishes by that is left out.
+// The same with equal points merged into the first of them; parts that vanish are left out.
 DomainFile with_duplicates_merged(DomainFile file);
 
 // Adds the faces of a surface: in space they are polygons, in the plane their edges are segments,
@@ -69,15 +68,16 @@ DomainFile with_duplicates_merged(DomainFile file);
 Status add_faces(DomainFile& file, const SimplexFile& faces);
 
 // ---- Domain files ----
-// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in two,
-// as users of Triangle and TetGen keep it.
+// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in
+// two, as users of Triangle and TetGen keep it.
 
-// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh, .msh, .vtk,
-// .vtu, .vtp; a file of another name by what it holds. "-" is standard input.
+// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh,
+// .msh, .vtk, .vtu, .vtp; a file with another name is recognised by its content. "-" is standard
+// input.
 Result<DomainFile> read_domain(const std::string& path, NumberReading reading);
 
-// Does the name of this file say that it is a domain? (.off is a list of points as well, and so is a .ply
-// without faces, which is read for that.)
+// Does the name of this file say that it is a domain? (.off may also be a list of points, and so
+// may a .ply without faces; the latter is read to find out.)
 bool is_domain_file(const std::string& path);
 
 }  // namespace circumspect::formats

@@ -1,4 +1,4 @@
-// The formats of domains: what is read, what is refused and with which words.
+// The formats of domains: what is read, what is refused, and the messages.
 #include <sstream>
 
 #include <doctest/doctest.h>

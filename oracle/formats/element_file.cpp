@@ -16,7 +16,7 @@ void add_to(SimplexFile& list, Simplex vertices, std::size_t line, std::optional
   if (label) list.labels.push_back(*label);
 }
 
-// How few vertices make sense of a shape.
+// The least number of vertices of a shape.
 std::size_t fewest_vertices(ElementShape shape) {
   switch (shape) {
     case ElementShape::kPolyline:
@@ -192,7 +192,7 @@ std::vector<bool> points_in_use(const DomainFile& domain) {
   return used;
 }
 
-// Those points of cells that nothing else uses.
+// The points that only cells use.
 std::vector<bool> points_of_cells_alone(const DomainFile& domain,
                                         const std::vector<const SimplexFile*>& lists) {
   const std::vector<bool> used = points_in_use(domain);

@@ -1,5 +1,5 @@
-// A mesh as a list of elements of all dimensions, with the surface and its edges among them: what Medit,
-// Gmsh, VTK and Wavefront keep in a file.
+// A mesh as a list of elements of all dimensions, with the surface and its edges among them, as in
+// the files of Medit, Gmsh, VTK and Wavefront.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace circumspect::formats {
 
-// The shapes of elements. Vertices are listed round about a polygon; kPixel lists a quadrilateral row by
-// row, kStrip triangles each of which goes on from the last two vertices, kPolyline edges end to end.
+// The shapes of elements. Vertices are listed around a polygon; kPixel lists a quadrilateral row by
+// row, kStrip lists triangles, each continuing from the last two vertices, and kPolyline edges end
+// to end.
 enum class ElementShape {
   kPoint,
   kPolyline,  // an edge is one of two vertices
@@ -25,7 +26,7 @@ enum class ElementShape {
   kCurved,      // of second order or more, of any dimension
 };
 
-// A type of elements as a format numbers it.
+// An element type by its number in a format.
 struct ElementType {
   Vertex code;
   std::size_t vertices;  // 0: any number
@@ -42,7 +43,7 @@ struct ElementFile {
   std::vector<std::size_t> triangles_before = {};
   SimplexFile tetrahedra = {};
   SimplexFile other_solids = {};
-  // The first element that is not a simplex, and the first that is curved: what it is and its line.
+  // The first element that is not a simplex, and the first that is curved, each with its line.
   struct Named {
     std::string name;  // "a hexahedron"
     std::size_t line = 0;
@@ -52,14 +53,14 @@ struct ElementFile {
   std::vector<std::string> notes = {};
 };
 
-// Adds an element. `name`: "a hexahedron"; it is named where it cannot be judged. Too few vertices for its
-// shape are a fault, which is what comes back: "a triangle of 3 vertices or more". `label`: what the file says it
-// belongs to, if it says so of all elements.
+// Adds an element. `name`: "a hexahedron", for the message if it cannot be judged. If it has too
+// few vertices for its shape, returns what was expected: "a triangle of 3 vertices or more".
+// `label`: the group that the file gives it, if the file does so for all elements.
 std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
                                        std::string_view name, std::size_t line,
                                        std::optional<Vertex> label = {});
 
-// Fills in what follows from the simplices, once all have been added.
+// Computes what follows from the simplices, once all have been added.
 void finish_elements(ElementFile& file);
 
 // Why the elements are not a mesh of simplices: nothing if they are one.
@@ -72,16 +73,16 @@ struct TopElements {
 };
 TopElements top_elements(ElementFile& file);
 
-// Is no element one of space?
+// Are there no elements of space, such as tetrahedra?
 bool is_of_plane(const ElementFile& file);
 
-// What of the elements can be seen: the triangles, and the facets that belong to one tetrahedron alone, their
-// vertices counterclockwise seen from outside, if those of tetrahedra are positively oriented.
+// The visible surface of the elements: the triangles, and the facets of only one tetrahedron, with
+// their vertices counterclockwise seen from outside if the tetrahedra are positively oriented.
 std::vector<Simplex> surface_of(const ElementFile& file);
 
-// The surface: edges are segments; triangles and polygons are polygons in space, and in the
-// plane, if there are no edges, theirs are taken. Where there are cells, vertices that belong to
-// these alone are left out: they are the mesh's, not its domain's. Errors: curved elements; cells alone.
+// The surface as a domain: edges are segments; triangles and polygons are polygons in space, and in
+// the plane their edges are segments if no edges are listed. Vertices that belong only to cells are
+// left out: they belong to the mesh, not to its domain. Errors: curved elements; nothing but cells.
 Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name);
 
 }  // namespace circumspect::formats

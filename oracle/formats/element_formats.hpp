@@ -14,22 +14,24 @@ namespace circumspect::formats {
 //
 //     $MeshFormat                                 version, 0 (text) or 1 (binary), 8
 //     $Nodes                                      each has a tag of its own, in any order
-//     $Elements                                   of all dimensions; the (first) physical group of each is
-//                                                 its label, 0 if it is in none
-//     $Entities                                   of version 4.1: to which physical groups each belongs
-//     $PhysicalNames, $NodeData, …                other sections are read over
+//     $Elements                                   of all dimensions; the (first) physical group of
+//                                                 each is its label, 0 if it is in none
+//     $Entities                                   of version 4.1: the physical groups of each
+//     $PhysicalNames, $NodeData, …                other sections are skipped
 //
-// Lines outside the sections are skipped, with a note. Numbers follow one another, wherever lines end.
+// Lines outside the sections are skipped, with a note. Numbers follow one another, wherever lines
+// end.
 
 // Is this the word with which such a file begins?
 bool is_gmsh_keyword(std::string_view token);
 
-// Points are in the order of their tags and counted from the lowest; where tags leave gaps, they are
+// Points are in the order of their tags and counted from the lowest; if tags have gaps, they are
 // counted from 1, which is noted.
 Result<ElementFile> read_gmsh(const Source& source, NumberReading reading);
 
-// Version 2.2, in text; tags count from 1; labels are physical groups. Requires: points of dimension 2 or 3, whose third coordinate is
-// written as 0; vertices are counted from the first index of the points.
+// Version 2.2, in text; tags count from 1; labels are physical groups. Requires: points of
+// dimension 2 or 3, whose third coordinate is written as 0; vertices are counted from the first
+// index of the points.
 void write_gmsh(std::ostream& out, const ElementFile& file);
 
 // ---- Medit ----
@@ -55,11 +57,11 @@ Result<ElementFile> read_medit(const Source& source, NumberReading reading);
 void write_medit(std::ostream& out, const ElementFile& file);
 
 // ---- VTK in XML ----
-// Meshes and surfaces in VTK's XML format: .vtu (UnstructuredGrid) and .vtp (PolyData), their arrays as
-// text, as bytes in base 64, or appended, compressed by zlib or not.
+// Meshes and surfaces in VTK's XML format: .vtu (UnstructuredGrid) and .vtp (PolyData), their
+// arrays as text, as bytes in base 64, or appended, compressed by zlib or not.
 //
-// Points of several pieces follow one another. Numbers in text are taken as they are written, whatever type
-// is declared. Data of points and cells are not looked at.
+// Points of several pieces follow one another. Numbers in text are taken as they are written,
+// whatever type is declared. Data of points and cells are ignored.
 
 // Does the text begin as such a file does?
 bool is_vtu(std::string_view text);
@@ -67,21 +69,22 @@ bool is_vtu(std::string_view text);
 // Points are counted from 0.
 Result<ElementFile> read_vtu(const Source& source, NumberReading reading);
 
-// An UnstructuredGrid, in text; labels, which all cells have or none, are cell data. Requires: points of dimension 2 or 3, whose third coordinate is written as
-// 0; vertices are counted from the first index of the points.
+// An UnstructuredGrid, in text; labels, which all cells have or none, are cell data. Requires:
+// points of dimension 2 or 3, whose third coordinate is written as 0; vertices are counted from the
+// first index of the points.
 void write_vtu(std::ostream& out, const ElementFile& file);
 
 // ---- .tet ----
 // Meshes of tetrahedra as the program CDT of Attene and Diazzi and others write them: .tet.
 //
 //     8 vertices
-//     6 tets                                      or: 6 inner tets, and on a line of its own 4 outer tets
+//     6 tets                                      or 6 inner tets, and on a line below 4 outer tets
 //     x y z                                       a line each; with option r, fractions
 //     4 v0 v1 v2 v3                               a line each, indices from 0
 //
-// With option b, what stands behind the counts is binary: doubles, then vertices of 32 bits.
+// With option b, everything after the counts is binary: doubles, then vertices of 32 bits.
 
-// Outer tetrahedra, which fill the convex hull up around a domain, are left out, which is noted.
+// Outer tetrahedra, which fill the convex hull around a domain, are left out, which is noted.
 // Points are counted from 0.
 Result<ElementFile> read_tet(const Source& source, NumberReading reading);
 

@@ -15,7 +15,8 @@
 namespace circumspect::formats {
 
 // ---- Element formats ----
-// A mesh of elements is the same in every form of every format, and its numbers are to the last bit.
+// A mesh of elements is the same in every form of every format, and its numbers are exact to the
+// last bit.
 
 namespace {
 
@@ -91,7 +92,7 @@ TEST_CASE("any mesh of any doubles in every form") {
 TEST_CASE("no form ends early: every text that is cut off is refused") {
   for (const WrittenForm& form : all_forms(kTwoTetrahedra)) {
     CAPTURE(form.name);
-    // What stands behind the last number that counts may be missing: attributes, and blanks.
+    // What follows the last number that counts may be missing: attributes and blanks.
     const std::string whole = form.extension == ".vtk"
                                   ? form.text.substr(0, form.text.find("\nCELL_DATA") + 1)
                                   : form.text;
@@ -102,7 +103,8 @@ TEST_CASE("no form ends early: every text that is cut off is refused") {
       cut.text.resize(size);
       const Result<ElementFile> file = read_form(cut, kDouble);
       CAPTURE(size);
-      // A section of VTK's that is missing altogether cannot be missed, nor half a number of text.
+      // A VTK section that is missing altogether cannot be noticed, and neither can half a number
+      // in text.
       if (!file) CHECK(file.error().to_string().starts_with("f"));
       if (file) CHECK(form.extension != ".msh");
       if (file) CHECK(form.extension != ".vtu");
@@ -133,8 +135,8 @@ TEST_CASE("what surfaces and cells of other shapes become") {
 }
 
 // ---- Gmsh ----
-// Gmsh's .msh: what is read over, what is refused and with which words. The forms of the same mesh are in
-// the first part of this file.
+// Gmsh's .msh: what is skipped, what is refused, and the messages. The forms of the same mesh are
+// in the first part of this file.
 
 namespace {
 
@@ -226,7 +228,7 @@ TEST_CASE("gmsh: tags in a row are indices, in whatever order; gaps are noted") 
         "f:12: expected the tag of a node in $Nodes, found 9");
   CHECK(error_of(gmsh(kHeader2 + "$Nodes\n2\n7 1 0 0\n7 0 0 0\n$EndNodes\n" + elements)) ==
         "f: expected a tag of its own for each node, found tag 7 twice");
-  // A tag that no node has is the mesh's fault where tags are indices.
+  // A tag that no node has is a fault of the mesh if tags are indices.
   CHECK(gmsh(kHeader2 + "$Nodes\n1\n7 1 0 0\n$EndNodes\n" + elements));
 }
 
@@ -293,7 +295,7 @@ TEST_CASE("gmsh 4.1: what is refused") {
   CHECK(error_of(
             gmsh(kHeader4 + kNodes4 + "$Elements\n1 3 1 3\n3 1 4 1\n1 1 2 3 4\n$EndElements\n")) ==
         "f:19: expected 3 elements in all blocks, found 1");
-  // In binary a count is a promise, too.
+  // In binary files, too, a count cannot be trusted.
   std::string binary = gmsh_4({{{0, 0, 0}}, {}}, ByteOrder::kLittleEndian);
   const std::size_t count = binary.rfind("$Nodes") + 7 + 32 + 12 + 32;
   CHECK(error_of(gmsh(binary)) == "no error");
@@ -378,7 +380,7 @@ TEST_CASE(
   std::sort(surface.begin(), surface.end());
   CHECK(surface ==
         std::vector<Simplex>{{0, 1, 3}, {0, 2, 4}, {0, 3, 2}, {0, 4, 1}, {1, 2, 3}, {1, 4, 2}});
-  // A point of the plane has a third coordinate in OBJ.
+  // In OBJ, planar points have a third coordinate.
   ElementFile plane;
   plane.points.points = {{1, 2}};
   std::ostringstream out;

@@ -7,7 +7,7 @@
 namespace circumspect::formats {
 namespace {
 
-// Where labels are listed in a message, no more are begun behind so many bytes.
+// A message stops listing labels after so many bytes.
 constexpr std::size_t kLongestListOfLabels = 60;
 
 // Which of some listed faces are faces of cells that are kept, and of cells that are not.
@@ -28,7 +28,7 @@ class ListedFaces {
 
   // Requires: at most four vertices.
   void see(const Simplex& cell, bool is_kept) {
-    // Most cells have no listed face, and show it by their vertices.
+    // Most cells have no listed face, which their vertices tell.
     Simplex vertices;
     for (const Vertex v : cell) {
       if (!names(v) || is_listed_at_[static_cast<std::size_t>(v)]) vertices.push_back(v);
@@ -49,7 +49,7 @@ class ListedFaces {
     }
   }
 
-  // Of no cell that is kept, and of one that is not.
+  // It is a face of no cell that is kept, and of one that is not.
   bool is_lost(const Simplex& face) const {
     const auto at = std::lower_bound(faces_.begin(), faces_.end(), sorted(face));
     const auto place = static_cast<std::size_t>(at - faces_.begin());
@@ -90,7 +90,7 @@ void leave_out_points(Mesh& mesh, const IsLeftOut& is_left_out) {
   const auto renumber = [&](std::vector<Simplex> simplices) {
     for (Simplex& simplex : simplices) {
       for (Vertex& v : simplex) {
-        // One that names no point still names none.
+        // An index that names no point still names none.
         v = mesh.names(v) ? number[static_cast<std::size_t>(v)] : v;
       }
     }
@@ -139,7 +139,8 @@ Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>&
   };
   const std::size_t count = mesh.simplices.size();
   std::vector<Simplex> simplices;
-  // By vertex: is it of what is kept, and of what is not? What names no point is not left out.
+  // By vertex: does it belong to something that is kept, and to something that is not? Indices that
+  // name no point are not left out.
   std::vector<bool> used(mesh.points(), false), left(mesh.points(), false);
   const auto mark = [&](const Simplex& simplex, std::vector<bool>& vertices) {
     for (const Vertex v : simplex) {
@@ -175,7 +176,7 @@ Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>&
   leave_out_points(mesh, [&](Vertex v) {
     return left[static_cast<std::size_t>(v)] && !used[static_cast<std::size_t>(v)];
   });
-  file.face_markers.clear();  // of points that have other places now
+  file.face_markers.clear();  // for points that have other places now
   return {};
 }
 

@@ -1,4 +1,4 @@
-// A mesh is read as the dimension of its domain wants it, and what was changed is noted.
+// A mesh is read as the dimension of its domain requires, and changes are noted.
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
@@ -117,7 +117,8 @@ TEST_CASE(
 
 namespace {
 
-// Two tetrahedra side by side, labelled 3 and 0, and triangles: between them, of the second alone, dangling.
+// Two tetrahedra side by side, labelled 3 and 0, and three triangles: one between them, one of the
+// second alone, and one dangling.
 const std::string kLabelled =
     "MeshVersionFormatted 2 Dimension 3 Vertices 6 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0 1 1 1 0 9 9 9 0 "
     "Triangles 3 2 3 4 0 2 3 5 0 1 2 6 0 Tetrahedra 2 1 2 3 4 3 2 3 4 5 0 End";

@@ -1,4 +1,4 @@
-// For tests: one square of two triangles, in a plane of space, in every format.
+// For tests: a square of two triangles, in a plane in space, in every format.
 #pragma once
 
 #include <map>
@@ -45,7 +45,7 @@ inline std::map<std::string, std::string> flat_square(const std::string& z) {
            "format=\"ascii\">5 5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n"}};
 }
 
-// Those that are meshes, written to a folder; also an .ele with its .node, and JSON. Their names
+// Writes the meshes among them to a folder, and also an .ele with its .node, and JSON. Their names
 // begin with `stem`.
 template <class Folder>  // inputs/scratch_folder_test.hpp
 std::vector<std::string> flat_square_meshes(const Folder& folder, const std::string& stem,

@@ -34,7 +34,8 @@ constexpr std::array kSignatures = {
               "a mesh in version 1 of Gmsh's format (gmsh -0 IN.msh -format msh41 -o OUT.msh)"},
 };
 
-// Beyond these bytes nobody looks for a beginning: the file may be large, and of one line.
+// The search for a beginning stops after so many bytes: the file may be large and consist of one
+// line.
 constexpr std::size_t kLongestBeginning = 4096;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -56,7 +57,8 @@ bool is_abaqus(const Source& beginning) {
   return false;
 }
 
-// Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first vertex with its label.
+// Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first
+// vertex with its label.
 bool is_freefem(const Source& beginning) {
   Lines lines(beginning);
   if (!lines.next() || lines.size() != 3) return false;
@@ -66,7 +68,8 @@ bool is_freefem(const Source& beginning) {
   return lines.next() && (lines.size() == 3 || lines.size() == 4);
 }
 
-// "MESH dimension 3 ElemType Triangle Nnode 3", in any case, perhaps with a name and with signs of equality.
+// "MESH dimension 3 ElemType Triangle Nnode 3", in any case, perhaps with a name and with signs of
+// equality.
 bool is_gid(const std::vector<std::string_view>& first) {
   return is_word(first[0], "mesh") &&
          std::any_of(first.begin(), first.end(),
@@ -99,7 +102,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   if (end == ".obj" && is_object_file(source.text)) {
     return "a compiler's object file, not a mesh of Wavefront's";
   }
-  // Files of VTK's XML form are read, but not under the name of another format, as that of VTK's older form.
+  // VTK's XML files are read, but not under the extension of another format, such as that of VTK's
+  // legacy format.
   if (is_vtu(source.text)) {
     if (format_of(end) == nullptr || end == ".vtu" || end == ".vtp") return std::nullopt;
     return "XML (if it is a mesh of VTK, give its name the extension .vtu)";
@@ -131,7 +135,7 @@ FormatError explained(FormatError error, const Source& source) {
   std::optional<std::string> kind = foreign_kind(source);
   if (!kind) return error;
   error.found = std::move(*kind);
-  error.line = std::min<std::size_t>(error.line, 1);  // all of it is another file, not that line
+  error.line = std::min<std::size_t>(error.line, 1);  // the whole file is foreign, not one line
   return error;
 }
 

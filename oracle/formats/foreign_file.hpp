@@ -1,5 +1,6 @@
-// Files that no reader reads, told by what they hold: what they are, and what to do about it. A name may say
-// too little (.msh is Gmsh's, Fluent's, FreeFem's, GiD's and JIGSAW's) or something else (an archive, a pointer of Git LFS).
+// Recognises files that no reader reads by their content: what they are, and what to do about it. A
+// name may say too little (.msh is Gmsh's, Fluent's, FreeFem's, GiD's and JIGSAW's) or something
+// else (an archive, a pointer of Git LFS).
 #pragma once
 
 #include <optional>
@@ -9,11 +10,13 @@
 
 namespace circumspect::formats {
 
-// For a message "found …": "a file that gzip packed (unpack it first)"; none if nothing is known of it. Looks at the
-// beginning alone. Asked only once a reader has refused the file, so no file is refused because of it.
+// For a message "found …": "a file that gzip packed (unpack it first)"; nothing if the kind is
+// unknown. It looks only at the beginning, and is asked only once a reader has refused the file, so
+// it never causes a refusal.
 std::optional<std::string> foreign_kind(const Source& source);
 
-// The error of a reader about this file: what was found is the kind of the file, if that is known.
+// The error of a reader about this file; as what was found, it names the kind of the file if that
+// is known.
 FormatError explained(FormatError error, const Source& source);
 
 template <class T>

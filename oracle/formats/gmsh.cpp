@@ -34,7 +34,7 @@ class GmshReader {
   Status read_vertices(const ElementType& type, NumberType of_tags, Vertex label);
   Status read_entities();
   Status read_entity(std::size_t dimension);
-  // Goes to the numbers of a section: in binary they begin on the next line.
+  // Goes to the numbers of a section; in binary files they begin on the next line.
   void go_to_numbers() {
     if (text_.is_binary()) text_.rest_of_line();
   }
@@ -309,7 +309,8 @@ Status GmshReader::read_section(std::string_view keyword) {
     return status ? expect_word(end) : status;
   }
   const std::size_t line = text_.line();
-  // Some writers end no line behind binary data. Names and comments are text in every file, and may quote the end.
+  // Some writers do not end the line after binary data. Names and comments are text in every file,
+  // and may contain the end marker.
   const bool is_text = !text_.is_binary() || keyword == "$PhysicalNames" || keyword == "$Comments";
   if (text_.skip_behind(end, is_text)) return {};
   return tl::unexpected(FormatError{text_.name(), line,
@@ -317,8 +318,8 @@ Status GmshReader::read_section(std::string_view keyword) {
                                     "the end of the file"});
 }
 
-// Points in the order of their tags, which become indices: as they are, or, where they leave gaps,
-// counted from 1.
+// Points in the order of their tags. The tags become indices: unchanged, or counted from 1 if they
+// have gaps.
 Status GmshReader::count_from_lowest_tag() {
   std::vector<std::size_t> order(tags_.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -336,7 +337,8 @@ Status GmshReader::count_from_lowest_tag() {
   }
   file_.points.points = std::move(points);
   file_.points.first_index = sorted_tags.empty() ? 1 : sorted_tags.front();
-  // No difference of two tags can overflow before it is known to be small.
+  // This order avoids overflow: the difference of two tags is known to be small before it is
+  // computed.
   bool has_gaps = false;
   for (std::size_t i = 1; i < sorted_tags.size(); ++i) {
     has_gaps = has_gaps || sorted_tags[i] != sorted_tags[i - 1] + 1;

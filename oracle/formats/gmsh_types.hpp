@@ -7,7 +7,7 @@
 
 namespace circumspect::formats {
 
-// What has no shape here is curved.
+// Types without a shape here are curved.
 inline constexpr std::array kGmshTypes = {
     ElementType{15, 1, ElementShape::kPoint, "a point"},
     ElementType{1, 2, ElementShape::kPolyline, "an edge"},
@@ -42,7 +42,8 @@ inline constexpr std::array kGmshTypes = {
     ElementType{31, 56, ElementShape::kCurved, "a tetrahedron of fifth order"},
 };
 
-// Its manual ends at 93, its sources at 140: elements of yet higher order, polygons, parts of elements.
+// Its manual ends at 93, its sources at 140: elements of yet higher order, polygons, parts of
+// elements.
 inline constexpr Vertex kLastGmshType = 140;
 
 }  // namespace circumspect::formats

@@ -8,7 +8,7 @@
 namespace circumspect::formats {
 namespace {
 
-// Hands the text to the parser and records how far it has read: its events do not say.
+// Feeds the text to the parser and records how far it has read, which its events do not say.
 class TextIterator {
  public:
   using iterator_category = std::input_iterator_tag;

@@ -18,14 +18,14 @@ struct JsonFile {
   std::vector<Rational> weights = {};  // empty, or one a point
   bool has_simplices = false;          // a list may be there and empty
   SimplexFile simplices = {};          // indices of points and of simplices begin at first_index
-  // Listed beside the simplices, of at most as many vertices as there are coordinates: for a mesh of
-  // a domain, those that are faces of no simplex.
+  // Faces listed beside the simplices, with at most as many vertices as there are coordinates: for
+  // a mesh of a domain, those that are faces of no simplex.
   SimplexFile faces = {};
 };
 
-// Numbers are taken from the text as it is written, whether they stand in quotes or not; without
-// quotes JSON has no fractions, and numbers beyond the range of double are refused. Keys that the
-// schema does not know are errors, so that a misspelt one does not go unnoticed.
+// Numbers are read exactly as written, with or without quotes; without quotes JSON has no
+// fractions, and numbers beyond the range of double are refused. Keys that the schema does not know
+// are errors, so that a misspelt one does not go unnoticed.
 Result<JsonFile> read_json(const Source& source, NumberReading reading);
 
 // Coordinates and weights are numbers if they are doubles, else strings. Attributes and markers are

@@ -17,7 +17,7 @@ JsonEvents::JsonEvents(const Source& source, const char* const& position, Number
     : source_(source), position_(position), reading_(reading), counted_(source.text.data()) {}
 
 std::size_t JsonEvents::line() {
-  // The parser has read the token, and behind a number one character more.
+  // The parser has read the token, and after a number one more character.
   const char* const end = position_ == source_.text.data() ? position_ : position_ - 1;
   if (end > counted_) {
     line_ += static_cast<std::size_t>(std::count(counted_, end, '\n'));
@@ -183,7 +183,7 @@ bool JsonEvents::parse_error(std::size_t, const std::string& last_token,
   if (error.id == kNumberOverflow) {
     return fail("a number within the range of double (a string may hold more)", quote(last_token));
   }
-  // The message ends in what the parser makes of it: "…- invalid literal; last read: 'nan'".
+  // The message ends with the parser's own: "…- invalid literal; last read: 'nan'".
   const std::string_view message = error.what();
   const std::string_view reason = message.substr(std::min(message.find(" - ") + 3, message.size()));
   const std::string_view why = reason.substr(0, reason.find(';'));
@@ -234,7 +234,7 @@ Status JsonEvents::check_whole() const {
   return check_faces();
 }
 
-// What has as many vertices as a simplex of full dimension is not a face of one.
+// A list with as many vertices as a simplex of full dimension is not a face of one.
 Status JsonEvents::check_faces() const {
   const SimplexFile& faces = file_.faces;
   for (std::size_t i = 0; i < faces.simplices.size(); ++i) {

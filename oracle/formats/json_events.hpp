@@ -1,5 +1,5 @@
 // Reads the JSON schema from the events of a parser: object begins, key, number … Every event is
-// held against what the schema wants at this place, so that nothing else is ever stored.
+// compared with what the schema expects at this place, so that nothing else is ever stored.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace circumspect::formats {
 
-// The interface is the one that nlohmann::json::sax_parse calls: true goes on, false stops.
+// The interface is the one that nlohmann::json::sax_parse calls: true continues, false stops.
 class JsonEvents {
  public:
-  // `position` points behind the last character that the parser has taken from the source.
-  // Requires: both outlive this object.
+  // `position` points after the last character that the parser has taken from the source. Requires:
+  // both outlive this object.
   JsonEvents(const Source& source, const char* const& position, NumberReading reading);
 
   bool null() { return mismatch("null"); }
@@ -66,14 +66,14 @@ class JsonEvents {
 
   bool is_list_of_vertices() const { return key_ == kSimplices || key_ == kFaces; }
   bool is_list_of_lists() const { return key_ == kPoints || is_list_of_vertices(); }
-  // Requires: the key is kSimplices or kFaces. Those read so far.
+  // The lists read so far. Requires: the key is kSimplices or kFaces.
   SimplexFile& cells() { return key_ == kFaces ? file_.faces : file_.simplices; }
-  // What the schema wants at this place.
+  // What the schema expects at this place.
   std::string wanted() const;
   bool mismatch(const std::string& found) { return fail(wanted(), found); }
   bool fail(const std::string& expected, const std::string& found);
   std::size_t line();
-  // The last characters that the parser took, of their line, for messages.
+  // The last characters of the line that the parser took, for messages.
   std::string_view end_of_what_was_read() const;
 
   const Source& source_;
@@ -81,7 +81,7 @@ class JsonEvents {
   NumberReading reading_;
   JsonFile file_;
   FormatError error_;
-  int depth_ = 0;                                // of objects and arrays that are open
+  int depth_ = 0;                                // the open objects and arrays
   Key key_ = kKeys;                              // whose value is being read
   std::array<std::size_t, kKeys> line_of_ = {};  // 0: the key was not seen
   // Lines are counted on the way: the text before `counted_` ends on line `line_`.

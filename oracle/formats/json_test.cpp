@@ -1,4 +1,4 @@
-// Our JSON: what is read, what is refused and with which words.
+// Our JSON: what is read, what is refused, and the messages.
 #include "oracle/formats/json.hpp"
 
 #include <sstream>

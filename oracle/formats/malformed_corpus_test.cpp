@@ -1,4 +1,5 @@
-// Every file of corpus/malformed gets the message that its table expects. Messages say what a file is that no reader reads.
+// Every file of corpus/malformed gets the message that its table expects. For files that no reader
+// reads, messages say what they are.
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -20,7 +21,7 @@ struct Row {
   std::string options;
   std::string message;
 
-  // The file behind an option; empty if it is another.
+  // The file after an option; empty if it is another option.
   std::string file_behind(const std::string& option) const {
     return options.starts_with(option) ? options.substr(option.size()) : "";
   }
@@ -62,7 +63,7 @@ TEST_CASE("malformed files get the message that is expected") {
     CAPTURE(row.file);
     CAPTURE(row.options);
     const std::string message = message_of(row);
-    // What is wrong with a complex that could be read, the command finds.
+    // The command finds what is wrong with a complex that could be read.
     if (message.empty() && row.message.starts_with("plc.")) continue;
     CHECK_MESSAGE(message.find(row.message) != std::string::npos, message);
     CHECK(message.find('\n') == std::string::npos);
@@ -70,7 +71,7 @@ TEST_CASE("malformed files get the message that is expected") {
 }
 
 TEST_CASE("no malformed file is left out of the table") {
-  // A mesh in two files stands in the table once.
+  // A mesh in two files is in the table once.
   std::set<std::string> listed;
   for (const Row& row : rows()) {
     listed.insert(std::filesystem::path(row.file).stem());
@@ -160,7 +161,7 @@ TEST_CASE("foreign files: an error keeps what was expected, and speaks of the wh
         "x.off: expected a point, found a file that gzip packed (unpack it first)");
   CHECK(explained(FormatError{"x.off", 7, "a point", "none"}, {"x.off", "OFF"}).to_string() ==
         "x.off:7: expected a point, found none");
-  // What a reader says of another file is about that.
+  // What a reader says about another file concerns that file.
   const Result<int> beside = tl::unexpected(FormatError{"x.node", 3, "a point", "none"});
   CHECK(explained(beside, packed).error().to_string() == "x.node:3: expected a point, found none");
   CHECK(explained(Result<int>(5), packed) == 5);

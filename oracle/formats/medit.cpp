@@ -8,8 +8,8 @@
 namespace circumspect::formats {
 namespace {
 
-// Sections of so many numbers each that tell nothing that is asked here. In the plane, `Normals`
-// and `Tangents` have one number less.
+// Sections that are skipped, with the number of numbers of each entry. In the plane, `Normals` and
+// `Tangents` have one number less.
 struct OtherSection {
   std::string_view keyword;
   std::size_t numbers;
@@ -185,7 +185,7 @@ Status MeditReader::skip_numbers(const OtherSection& section) {
   return {};
 }
 
-// Up to the next keyword; what stands in quotes is none.
+// Skips to the next keyword; text in quotes is not a keyword.
 void MeditReader::skip_unknown() {
   bool in_quotes = false;
   while (next()) {

@@ -39,14 +39,14 @@ std::string with_extension(const std::string& path, std::string_view extension_b
   return path.substr(0, path.size() - extension(path).size()) + std::string(extension_beside);
 }
 
-// The file in which the simplices are: of points, the one beside them.
+// The file of the simplices; for a file of points, the one beside it.
 std::string file_of_simplices(const std::string& path) {
   const MeshFormat* const format = format_of(extension(path));
   if (format == nullptr || format->simplices_beside.empty()) return path;
   return with_extension(path, format->simplices_beside);
 }
 
-// A file that is of none of the kinds that have points.
+// The error for a file that cannot have points.
 tl::unexpected<FormatError> no_points(const Source& source) {
   Lines lines(source);
   lines.next();
@@ -85,7 +85,7 @@ Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view p
                   "no file of that name (" + request.points_option + " names another)"});
 }
 
-// What has been loaded of a file, or the file.
+// The loaded text of a file, or the file itself.
 Result<Source> source_of(const MeshRequest& request, const std::string& path) {
   const Result<Source>* const loaded = find_loaded(request, path);
   return loaded != nullptr ? *loaded : load(path);
@@ -97,8 +97,8 @@ Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
       FormatError{path, 0, "a file with the simplices of " + request.mesh, "no file of that name"});
 }
 
-// What has more vertices than any simplex of this dimension is none, and not meant as one. Fewer
-// vertices, or differing numbers of them, are the mesh's own fault and left to the judge.
+// A list with more vertices than any simplex of this dimension is not a simplex, and not meant as
+// one. Fewer vertices, or differing numbers of them, are faults of the mesh, and left to the judge.
 Status check_sizes(const SimplexFile& file, std::size_t dimension, const std::string& name) {
   const std::size_t most = dimension + 1;
   for (std::size_t i = 0; i < file.simplices.size(); ++i) {
@@ -124,7 +124,7 @@ Status read_neighbors(const std::string& path, const ListedSimplices& simplices,
   return {};
 }
 
-// The triangles and edges beside an .ele file, as far as there are files of them.
+// The triangles and edges beside an .ele file, if there are such files.
 Status read_faces(const std::string& name, MeshFile& read) {
   if (extension(name) != ".ele") return {};
   for (const auto& [beside, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
@@ -147,7 +147,7 @@ void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
   }
 }
 
-// The arrays of an archive are from here on files like others, which are read at the speed of memory.
+// From here on, the arrays of an archive are ordinary files, which are read at the speed of memory.
 Status unpack_archive(MeshRequest& request) {
   const Result<Source>* const loaded = find_loaded(request, request.mesh);
   const bool is_archive = loaded == nullptr ? extension(request.mesh) == ".npz"
@@ -157,7 +157,7 @@ Status unpack_archive(MeshRequest& request) {
   if (!archive) return tl::unexpected(archive.error());
   const auto unpack = [&](std::string_view name) {
     Result<Source> array = array_of_npz(*archive, name);
-    // What numpy.savez did not name is an archive of some other files.
+    // Without the names that numpy.savez gives, it is an archive of other files.
     if (extension(archive->name) != ".npz") array = explained(std::move(array), *archive);
     if (!array) return Result<std::string>(tl::unexpected(array.error()));
     const std::string path = array->name;
@@ -223,7 +223,7 @@ std::string extension(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
   const std::size_t dot = path.rfind('.');
-  // A dot that begins a name hides the file and ends nothing.
+  // A dot at the beginning of a name marks a hidden file, and does not begin an extension.
   if (dot == std::string::npos || dot <= start) return "";
   std::string end = path.substr(dot);
   for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -245,7 +245,7 @@ void load_streams(MeshRequest& request) {
   };
   const std::string mesh = file_of_simplices(request.mesh);
   load_stream(mesh);
-  // Nobody is to wait for points of a mesh that is not there.
+  // If the mesh is missing, say so before waiting for its points.
   const bool is_missing = mesh != "-" && !exists(mesh);
   if (request.points && !is_missing) load_stream(*request.points);
 }
@@ -301,7 +301,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
       return tl::unexpected(kept.error());
     }
   }
-  // Neighbours are those of the simplices as the file has them.
+  // Neighbours refer to the simplices as the file has them.
   if (request.with_neighbors) {
     if (Status read = read_neighbors(path, listed, mesh); !read) {
       return tl::unexpected(read.error());
@@ -328,7 +328,7 @@ Result<MeshFile> read_mesh(MeshRequest request, unsigned threads) {
   if (request.kept_labels.empty()) plain = read_plain_mesh(request, {threads});
   Result<MeshFile> file = plain ? std::move(*plain) : read_mesh_line_by_line(request);
   if (!file) return file;
-  // A face of as many vertices is a simplex of full dimension that somebody lists beside the simplices.
+  // A face with that many vertices is a simplex of full dimension that is listed among the faces.
   std::erase_if(file->mesh.faces,
                 [d = file->mesh.dimension()](const Simplex& face) { return face.size() > d; });
   return file;

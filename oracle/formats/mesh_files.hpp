@@ -1,5 +1,5 @@
-// Finds the files of a mesh from the name that a user gives, and reads them: the points of x.1.ele are in x.1.node.
-// The extension tells the format, or, if there is none, the content.
+// Finds the files of a mesh from the name that a user gives, and reads them: the points of x.1.ele
+// are in x.1.node. The extension tells the format or, if there is none, the content does.
 #pragma once
 
 #include <map>
@@ -27,9 +27,9 @@ struct RawPoints {
 
 // Which weights the points of a file have.
 enum class Weights {
-  kNone,      // none, whatever there is
-  kListed,    // what the file calls so: the key "weights" of JSON
-  kDemanded,  // these, or the first attributes of .node, as TetGen's option -w has it; it is an error
+  kNone,      // none, whatever the file has
+  kListed,    // what the file names weights: the key "weights" of JSON
+  kDemanded,  // these, or the first attributes of .node, as with TetGen's option -w; it is an error
               // if there are none
 };
 
@@ -51,95 +51,95 @@ struct LoadedFile {
 };
 
 struct MeshRequest {
-  std::string mesh;                        // a file; of .node and .qhull, the simplices beside it
+  std::string mesh;                        // a file; for .node and .qhull, the simplices beside it
   std::optional<std::string> points = {};  // instead of those beside or inside the mesh
   std::string points_option = "--points";  // what names them, for messages
   NumberReading reading = NumberReading::kDouble;
   bool with_neighbors = false;  // read the .neigh beside an .ele, if there is one
   bool with_faces = false;      // and the .face and the .edge
-  // Of the points of the domain that the mesh is held against, if it is: what says the same in other
-  // words is read as the domain's dimension wants it; see below.
+  // The dimension of the points of the mesh's domain, if there is one: meshes that are written in
+  // another form are read as this dimension requires; see below.
   std::optional<std::size_t> domain_dimension = {};
-  // Of a domain in the plane that has points in space: what was left out of them. A mesh of another
-  // height is held against the domain in space.
+  // For a planar domain with points in space: the coordinate that was left out. A mesh at another
+  // height is compared with the domain in space.
   std::optional<Rational> domain_height = {};
   bool keeps_coordinates = false;            // no third coordinate is left out (plane.hpp)
   std::optional<PointFile> own_points = {};  // instead of any file's
   Weights weights = Weights::kNone;
-  // Only simplices with one of these labels, if there are any: in Medit's files the reference, in Gmsh's the
-  // (first) physical group, in .ele the first attribute. See below.
+  // Only simplices with one of these labels, if there are any: in Medit's files the reference, in
+  // Gmsh's the (first) physical group, in .ele the first attribute. See below.
   std::vector<Vertex> kept_labels = {};
-  std::vector<LoadedFile> loaded = {};  // taken for what the files hold; see load_streams
+  std::vector<LoadedFile> loaded = {};  // used instead of the files' contents; see load_streams
 };
 
-// Does nobody say that the mesh is one of space? And is it of the dimension of the domain, or of
-// the space of a flat one?
+// May the mesh be planar? And does it have the dimension of the domain, or of the space of a flat
+// one?
 bool may_be_of_plane(const MeshRequest& request);
 bool is_of_domain_dimension(const MeshRequest& request, const Mesh& mesh);
 
-// Reads into `loaded` what can be read but once, pipes and standard input, and the files whose names do
-// not say their format. Nothing if mesh and points are both to come from standard input.
+// Reads into `loaded` pipes and standard input, which can be read only once, and the files whose
+// names do not tell their format. Fails if mesh and points are both to come from standard input.
 void load_streams(MeshRequest& request);
 
-// What has been loaded of a file; null if it has not.
+// The loaded text of a file; null if it was not loaded.
 const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path);
 
-// The extension that files of this format have: that of the path, if it is one, else by what the text
-// holds; empty if that cannot be known. `text` may be null. A mesh of simplices alone is only taken for
-// one `if_points` are known.
+// The extension of files of this format: that of the path, if it is known, else by the content of
+// the text; empty if the format cannot be known. `text` may be null. A list of simplices alone
+// counts as a mesh only `if_points` are known.
 std::string_view format_of_points(const std::string& path, const Source* text);
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points);
 
 // A mesh, and where it came from.
 struct MeshFile {
-  // Vertices are counted from 0, by taking the index of the first point from each (exact_mesh.hpp);
-  // one that names no point still names none. No simplex has more vertices than the points have
-  // coordinates, plus one. Faces are, if they were asked for, those of .face and .edge files, of Medit's
-  // and of JSON, without those that have as many vertices as a simplex of full dimension.
+  // Vertices are counted from 0, by subtracting the index of the first point (exact_mesh.hpp); one
+  // that names no point still names none. No simplex has more vertices than the points have
+  // coordinates, plus one. Faces are, if they were asked for, those of .face and .edge files, of
+  // Medit's and of JSON, without those that have as many vertices as a simplex of full dimension.
   Mesh mesh = {};
-  // Of the triangles of a .face file, by their vertices counted from 0, ascending; but not 0. None where points
-  // of another dimension were fitted to a domain.
+  // The markers of the triangles of a .face file, except 0, by their vertices counted from 0,
+  // ascending. None if points of another dimension were fitted to a domain.
   std::map<Simplex, Vertex> face_markers = {};
   std::string points_name = {};  // of the files, for messages
   std::string mesh_name = {};
   std::optional<Rational> height = {};  // the third coordinate of all points, which was left out
-  std::vector<std::string> notes = {};  // what was read otherwise than it stands there, a line each
+  std::vector<std::string> notes = {};  // what was read differently from the files, a line each
 };
 
-// Reads a mesh and its points: files as programs write them at the speed of memory (read_plain_mesh), all
-// others by their own readers, which have the messages. `threads`: 0: as many as the machine has; the
-// answer is the same for any number.
-// Errors: a file that is missing or malformed; elements of second order, faces that are not
-// triangles and facets that are no simplices, none of which can be judged; neighbours of other
-// simplices than these; no weights where they are demanded.
+// Reads a mesh and its points: files as programs write them at the speed of memory
+// (read_plain_mesh), all others by their own readers, which have the messages. `threads`: 0: as
+// many as the machine has; the answer is the same for any number. Errors: a file that is missing or
+// malformed; elements of second order, faces that are not triangles and facets that are not
+// simplices, none of which can be judged; neighbours of other simplices than these; missing weights
+// where they are demanded.
 Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
 
-// The same, all by the readers that have the messages.
+// The same, but always by the readers that have the messages.
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
 
 // ---- What programs write otherwise ----
-// What programs write otherwise than the domain that their mesh is of: dangling triangles and edges
-// as if they were all there is. (Points of the plane with a third coordinate: plane.hpp.)
+// Meshes that programs write in another form than the domain: dangling triangles and edges as if
+// they were the simplices. (plane.hpp is about planar points with a third coordinate.)
 
-// A mesh without simplices of full dimension can only be of what dangles in a domain: takes its
-// simplices, if all have as many vertices, 2 at least and fewer than one of full dimension, for the
-// faces that they are, and notes that; else nothing. Requires: no neighbours.
+// A mesh without simplices of full dimension can only mesh what dangles in a domain: if all its
+// simplices have the same number of vertices, at least 2 and fewer than one of full dimension, they
+// are turned into listed faces, which is noted; otherwise nothing is done. Requires: no neighbours.
 void take_for_faces(MeshFile& file);
 
-// A mesh of more than the domain, as where a program meshes the convex hull and labels what is outside 0:
-// keeps the simplices with one of these labels. Faces of the others alone are left out as well, and points
-// of these alone; that is noted. Errors: simplices have no labels, or none of them has one of these.
-// Requires: as many labels as simplices, or none; no neighbours.
+// For a mesh of more than the domain, for example of the convex hull with label 0 outside: keeps
+// the simplices with one of these labels. Faces and points that belong only to other simplices are
+// left out as well; that is noted. Errors: simplices have no labels, or none of them has one of
+// these. Requires: as many labels as simplices, or none; no neighbours.
 Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>& labels,
                      MeshFile& file);
 
 // ---- Large meshes of doubles ----
-// Large meshes of doubles, read where they are to lie: .ele or .npy with points in .node or .npy. What
-// mesh_files.hpp would read otherwise, refuse or take from elsewhere has no answer here and is left to
-// it; where there is an answer, it is the same mesh.
+// Large meshes of doubles, read directly into their arrays: .ele or .npy with points in .node or
+// .npy. Anything that mesh_files.hpp would read differently, refuse or take from elsewhere gets no
+// answer here and is left to it; an answer is always the same mesh.
 
-// As read_mesh. None for numbers that are taken at their word, for pipes that load_streams has not loaded,
-// and for every file that is not of the plain form or at fault.
+// As read_mesh. Nothing for numbers that are read literally, for pipes that load_streams has not
+// loaded, and for every file that is faulty or not of the plain form.
 std::optional<MeshFile> read_plain_mesh(const MeshRequest& request,
                                         const PlainReading& reading = {});
 

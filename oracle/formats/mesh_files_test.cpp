@@ -17,7 +17,7 @@
 namespace circumspect::formats {
 
 // ---- Mesh files ----
-// A mesh is found the way its users name things.
+// A mesh is found by each name that users give.
 
 namespace {
 
@@ -129,7 +129,7 @@ TEST_CASE("an index that names no point still names none") {
   const auto mesh =
       mesh_of(folder.write("x.ele", "3 1\n0 -9223372036854775808\n1 9223372036854775807\n2 4\n"));
   REQUIRE(mesh);
-  // The smallest goes round, and comes back from there.
+  // The smallest index wraps around, and comes back.
   CHECK(mesh->mesh.simplices.lists() ==
         std::vector<Simplex>{{std::numeric_limits<Vertex>::max() - 4},
                              {std::numeric_limits<Vertex>::max() - 5},
@@ -233,14 +233,14 @@ TEST_CASE("formats of elements: faces, points of the plane, points alone, names 
     CHECK(mesh->mesh.simplices.lists() == kTwo);
     CHECK(mesh->mesh.faces == std::vector<Simplex>{{1, 3}});
     CHECK(mesh->mesh.first_index == 1);
-    // A domain of space says that they are points of space.
+    // A domain in space says that the points are in space.
     request.domain_dimension = 3;
     CHECK(read_mesh(request)->mesh.dimension() == 3);
     CHECK(read_points(path, NumberReading::kDouble)->points.dimension == 3);
     const auto domain = read_domain(path, NumberReading::kDouble);
     REQUIRE(domain);
     CHECK(domain->dimension == 2);
-    // What belongs to triangles alone is the mesh's, not the domain's.
+    // Points that belong only to triangles belong to the mesh, not to the domain.
     CHECK(domain->input.segments == std::vector<Simplex>{{0, 1}});
     CHECK(domain->labels == std::vector<Vertex>{2, 4});
   }
@@ -275,11 +275,11 @@ TEST_CASE("what cannot be found or judged") {
       ".npy, .npz, .qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
   const std::string unknown = folder.write("x.plt", "TITLE a mesh\n");
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"TITLE\"");
-  // A sign may stand before a number, with which lists of points begin.
+  // Lists of points begin with a number, which may have a sign.
   const std::string negative = folder.write("y.plt", "-1 2\n");
   CHECK(error_of(read_points(negative, NumberReading::kDouble)) ==
         negative + ":1: expected the number of points, 0 or more, found \"-1\"");
-  // What another program reads is answered with the command that converts it.
+  // For a format of another program, the message names the command that converts it.
   const std::string step = folder.write("x.STEP", "ISO-10303-21;\n");
   CHECK(error_of(mesh_of(step)) ==
         step + ": expected " + known + ", found a STEP geometry (gmsh -3 IN.step -o IN.msh)");

@@ -20,8 +20,8 @@ namespace {
 struct OtherKind {
   std::string_view extension;
   std::string_view what;
-  // What converts it, IN being its name without the extension; or the packages with which meshio
-  // does.
+  // The command that converts it, with IN for its name without the extension; or the packages that
+  // meshio needs for it.
   std::string_view command;
 };
 
@@ -143,7 +143,7 @@ Result<RawPoints> points_of_npz(const Source& source, NumberReading) {
   return points_alone(source, read_npy_points(*points));
 }
 
-// Its points, too, are of the archive.
+// Its points, too, are in the archive.
 Result<Contents> mesh_of_npz(const Source& source, NumberReading reading) {
   const Result<Source> simplices = array_of_npz(source, "simplices");
   if (!simplices) return tl::unexpected(simplices.error());
@@ -230,7 +230,7 @@ constexpr std::array kFormats = {
     MeshFormat{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
 };
 
-// The extensions of all files that have what a reader of this kind reads: ".node, .json".
+// The extensions of all files for which a reader of this kind exists: ".node, .json".
 template <class Reader>
 std::string kinds(Reader MeshFormat::*reader) {
   std::string names;
@@ -246,7 +246,7 @@ bool looks_like_json(const Source& source) {
   return first != std::string::npos && source.text[first] == '{';
 }
 
-// How many tokens stand on the first two lines that have any, and the first two of them.
+// How many tokens are on the first two non-empty lines, and the first two of them.
 struct Beginning {
   explicit Beginning(const Source& source) {
     Lines lines(source);

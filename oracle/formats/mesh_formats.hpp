@@ -1,4 +1,5 @@
-// The formats of meshes and of points, and formats of other programs that are recognized but not read.
+// The formats of meshes and of points, and formats of other programs that are recognized but not
+// read.
 #pragma once
 
 #include <optional>
@@ -11,25 +12,26 @@
 namespace circumspect::formats {
 
 // ---- Other kinds ----
-// Files of other programs that are not read, and how to make one of them that is.
+// Formats of other programs that are not read, and how to convert their files.
 
-// What a file of this extension (".step") is and which command converts it, for a message "found …" where a mesh
-// or points were expected; none if nothing is known of it. A domain (".poly") is one of these.
+// What a file with this extension (".step") is and which command converts it, for a message "found
+// …" where a mesh or points were expected; nothing if the extension is unknown. A domain (".poly")
+// is one of these.
 std::optional<std::string> other_kind(std::string_view extension);
 
-// The command that makes a .vtu of what meshio reads; `format`: what meshio calls it, if the name
-// does not say so.
+// The command that converts a file that meshio reads to .vtu; `format`: meshio's name of the
+// format, if the file's name does not tell.
 std::string read_by_meshio(const std::string& in, const std::string& format = "",
                            std::string_view packages = "python3-meshio");
 
-// The same for what is read, but not as a domain: meshes (".ele") and points (".node").
+// The same for files that are read, but not as a domain: meshes (".ele") and points (".node").
 std::optional<std::string> kind_of_mesh(std::string_view extension);
 
 // ---- Mesh formats ----
-// The formats of meshes and of points: which reader reads the files of an extension, and which format a file
-// is of whose name does not say it.
+// The formats of meshes and of points: which reader reads the files of an extension, and which
+// format a file has whose name does not tell.
 
-// What one file of a mesh holds.
+// The content of one file of a mesh.
 struct Contents {
   SimplexFile simplices = {};
   std::optional<RawPoints> points = {};
@@ -37,7 +39,7 @@ struct Contents {
   std::vector<std::string> notes = {};
 };
 
-// What files of an extension hold, and what stands beside them.
+// The content of files with an extension, and the files beside them.
 struct MeshFormat {
   std::string_view extension;
   Result<RawPoints> (*points)(const Source&, NumberReading);
@@ -49,7 +51,8 @@ struct MeshFormat {
 // The format whose files have this extension; null if there is none.
 const MeshFormat* format_of(std::string_view extension);
 
-// The format of points in a file whose name does not say it; null if it begins with no number, either.
+// The format of points in a file whose name does not tell; null if the file does not begin with a
+// number, either.
 const MeshFormat* sniff_points(const Source& source);
 
 // The same for a mesh; null if it cannot be known. A list of simplices counts only where the user

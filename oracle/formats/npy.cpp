@@ -15,7 +15,7 @@
 namespace circumspect::formats {
 namespace {
 
-// Of an array, and which of its rows are read.
+// The shape of an array, and which of its rows are read.
 struct Shape {
   std::size_t rows = 0;
   std::size_t columns = 0;
@@ -23,12 +23,12 @@ struct Shape {
   std::size_t count = 0;  // so many
 };
 
-// What is wanted of an array, for messages.
+// What is expected of an array, for messages.
 struct Wanted {
   std::string_view what;
   std::string_view shape;
   std::string_view types;
-  std::string_view as_wanted;  // what makes it so in Python
+  std::string_view as_wanted;  // the Python call that converts it
 };
 
 constexpr Wanted kPoints = {"points", "(n, d)", "float64 or float32 ('<f8', '<f4')",
@@ -48,7 +48,7 @@ tl::unexpected<FormatError> wrong_type(const std::string& name, const Wanted& wa
                   ") writes what is read");
 }
 
-// Rows and columns, if all that the header says of them fits together and to the size of the file.
+// Rows and columns, if the header is consistent with itself and with the size of the file.
 Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const std::string& name,
                        const Wanted& wanted, std::size_t bytes_each, Slice rows) {
   const bool is_list = wanted.what == kIndices.what;
@@ -72,7 +72,7 @@ Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const 
   return shape;
 }
 
-// Takes the bytes as numbers, as they lie there, from number `first` of the array on.
+// Reads the bytes as numbers in the order of the file, from number `first` of the array on.
 template <class Value>
 Status read_values(const RandomAccess& file, const NpyHeader& header, const std::string& name,
                    std::size_t first, std::span<Value> to) {
@@ -89,7 +89,7 @@ Status read_values(const RandomAccess& file, const NpyHeader& header, const std:
   return {};
 }
 
-// Rows of numbers that are read as `Stored` and kept as `Value`, which has room for each of them.
+// Rows of numbers that are read as `Stored` and kept as `Value`, which can represent each of them.
 template <class Value, class Stored = Value>
 Result<Rows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
                               const std::string& name, const Shape& shape) {
@@ -103,7 +103,7 @@ Result<Rows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
       return rows;
     }
   }
-  // In Fortran order the columns stand one after the other.
+  // In Fortran order, columns follow one another.
   const std::size_t runs = header.fortran_order ? shape.columns : 1;
   std::vector<Stored> stored(rows.values().size() / std::max<std::size_t>(runs, 1));
   for (std::size_t run = 0; run < runs; ++run) {
@@ -120,7 +120,7 @@ Result<Rows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
   return rows;
 }
 
-// All finite, and −0 made 0.
+// Checks that all are finite, and turns −0 into 0.
 Status check_coordinates(Rows<double>& points, std::size_t first_row, const std::string& name) {
   const std::span<double> values = points.values();
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -146,7 +146,7 @@ Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess&
   Result<Rows<Index>> read = read_rows<Index, Stored>(header, file, name, *shape);
   if (!read) return tl::unexpected(read.error());
   if constexpr (std::is_same_v<Stored, std::uint64_t>) {
-    // What had no room became negative.
+    // Values that did not fit became negative.
     const auto values = read->values();
     if (std::any_of(values.begin(), values.end(), [](Index v) { return v < 0; })) {
       return fail(name, "vertices below 2^63", "a larger one");
@@ -194,23 +194,23 @@ SimplexFile as_lists(const Rows<Index>& rows) {
 constexpr std::string_view kEntry = "PK\1\2", kLocalHeader = "PK\3\4", kEndOfArchive = "PK\5\6";
 constexpr std::size_t kSizeOfEnd = 22, kLongestComment = 0xffff;
 
-// How large an array may be: so many bytes in any case, and more for each byte of the archive. What
-// zlib packs it makes up to 1032 times smaller, but not the numbers of meshes.
+// How large an array may be: so many bytes in any case, and more for each byte of the archive. zlib
+// compresses data by a factor of up to 1032, but not the numbers of meshes.
 constexpr std::size_t kSmallArray = 1'000'000;
 constexpr std::size_t kLargestGrowth = 100;
 
-// What an archive says of a file in it.
+// What an archive says about a file in it.
 struct ZipEntry {
   std::string_view name;
   bool is_encrypted = false;
-  std::uint64_t method = 0;  // 0: as it is, 8: packed by zlib
+  std::uint64_t method = 0;  // 0: stored, 8: packed by zlib
   std::uint64_t checksum = 0;
   std::uint64_t packed_size = 0;
   std::uint64_t size = 0;
   std::uint64_t offset = 0;  // of its header
 };
 
-// The place of the directory, which stands behind the files; none if there is none.
+// The place of the directory, which follows the files; nothing if there is none.
 std::optional<std::string_view> directory_of(std::string_view archive) {
   const std::size_t farthest = kSizeOfEnd + kLongestComment;
   const std::size_t first = archive.size() > farthest ? archive.size() - farthest : 0;
@@ -224,7 +224,7 @@ std::optional<std::string_view> directory_of(std::string_view archive) {
   return archive.substr(offset, size);
 }
 
-// Takes an entry from the front of the directory; none if it is none.
+// Takes an entry from the front of the directory; nothing if it is not an entry.
 std::optional<ZipEntry> next_entry(std::string_view& directory) {
   constexpr std::size_t kSize = 46;
   if (directory.size() < kSize || !directory.starts_with(kEntry)) return std::nullopt;
@@ -247,7 +247,7 @@ std::optional<ZipEntry> next_entry(std::string_view& directory) {
   return entry;
 }
 
-// The bytes of a file in the archive as they are stored; none if they are not there.
+// The bytes of a file in the archive as they are stored; nothing if they are missing.
 std::optional<std::string_view> stored_bytes(std::string_view archive, const ZipEntry& entry) {
   constexpr std::size_t kSize = 30;
   if (entry.offset > archive.size() || archive.size() - entry.offset < kSize) return std::nullopt;
@@ -260,7 +260,8 @@ std::optional<std::string_view> stored_bytes(std::string_view archive, const Zip
   return archive.substr(before, entry.packed_size);
 }
 
-// What zlib made of so many bytes, without a head of its own; none if it did not. Requires: both sizes fit 32 bits.
+// Decompresses raw zlib data to so many bytes; nothing if that fails. Requires: both sizes fit 32
+// bits.
 std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
   std::string bytes(size, '\0');
   z_stream stream = {};

@@ -19,7 +19,7 @@ tl::unexpected<FormatError> header_fault(const std::string& name, std::string ex
   return tl::unexpected(FormatError{name, 0, std::move(expected), std::move(found)});
 }
 
-// Walks over the dictionary.
+// Parses the dictionary.
 class Literal {
  public:
   explicit Literal(std::string_view text) : rest_(text) {}
@@ -40,7 +40,7 @@ class Literal {
     return true;
   }
 
-  // What stands between quotes of either kind. No name or type that NumPy writes has a backslash.
+  // The text between quotes of either kind. No name or type that NumPy writes has a backslash.
   std::optional<std::string> take_string() {
     skip_blanks();
     if (rest_.empty() || (rest_.front() != '\'' && rest_.front() != '"')) return std::nullopt;
@@ -103,7 +103,7 @@ class Literal {
 
 constexpr std::array<std::string_view, 3> kKeys = {"descr", "fortran_order", "shape"};
 
-// The value of a key; false if it is none of its kind.
+// The value of a key; false if it has the wrong type.
 bool take_value(Literal& literal, std::string_view key, NpyHeader& header) {
   if (key == "descr") {
     const std::optional<std::string> type = literal.take_type();
@@ -119,7 +119,7 @@ bool take_value(Literal& literal, std::string_view key, NpyHeader& header) {
   return header.fortran_order || literal.take_word("False");
 }
 
-// The three keys, in any order, each once. False where the text stops being that.
+// The three keys, in any order, each once. False if the text is anything else.
 bool take_dictionary(Literal& literal, NpyHeader& header) {
   std::array<bool, kKeys.size()> seen = {};
   if (!literal.take('{')) return false;
@@ -146,7 +146,8 @@ struct Place {
   std::size_t length = 0;
 };
 
-// Where the dictionary is: versions after the first count its bytes with four bytes instead of two.
+// The place of the dictionary: versions after the first store its length in four bytes instead of
+// two.
 Result<Place> place_of_dictionary(const RandomAccess& file, const std::string& name) {
   std::array<char, 12> bytes = {};
   const std::size_t size = std::min(bytes.size(), file.size());

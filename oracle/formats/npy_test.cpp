@@ -1,4 +1,4 @@
-// .npy files: what is read, what is refused and with which words.
+// .npy files: what is read, what is refused, and the messages.
 #include "oracle/formats/npy.hpp"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ TEST_CASE("npy: other types, byte orders and Fortran order mean the same numbers
   CHECK(simplices(npy<std::int64_t>("<i8", "(2, 3)", {0, 3, 1, 1, 2, 100}, "True")) == two);
   CHECK(simplices(npy<std::uint32_t>("<u4", "(1, 1)", {UINT32_MAX})) ==
         std::vector<Simplex>{{4294967295}});
-  // A point of infinities is none, of whatever type.
+  // Infinite coordinates are refused, whatever their type.
   CHECK(points_error(npy<float>("<f4", "(1, 1)", {std::numeric_limits<float>::infinity()})) ==
         "f: expected finite coordinates, found an infinity in row 0, column 0, counted from 0");
 }
@@ -240,7 +240,7 @@ TEST_CASE("npy: any bytes in header and data") {
                             : npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 2, 3});
     const int edits = *rc::gen::inRange(1, 4);
     for (int i = 0; i < edits && !bytes.empty(); ++i) {
-      // Most of them where the header says something.
+      // Most of the changes are where the header has content.
       const auto at = *rc::gen::inRange<std::size_t>(0, std::min<std::size_t>(bytes.size(), 90));
       switch (*rc::gen::inRange(0, 4)) {
         case 0:
@@ -302,11 +302,11 @@ TEST_CASE("npz: damage is found, wherever it is") {
         std::string other = archive;
         other[i] = static_cast<char>(other[i] ^ change);
         const auto array = array_of_npz(named(other), "points");
-        if (array) CHECK(array->text == points);  // the byte says nothing of this array
+        if (array) CHECK(array->text == points);  // the byte does not matter for this array
       }
     }
   }
-  // An entry without a name is one, and what does not begin as an entry is none.
+  // An entry may have an empty name; bytes that do not begin like an entry are not one.
   CHECK(array_of_npz(named(npz({{"points.npy", points}, {"", ""}}, 0)), "points"));
   std::string no_entry = npz({{"points.npy", points}}, 0);
   no_entry[no_entry.rfind("PK\1\2")] = 'Q';
@@ -319,7 +319,8 @@ TEST_CASE("npz: damage is found, wherever it is") {
   CHECK(error_of(array_of_npz(named(npz({{"points.npy", points}}, 14)), "points")) ==
         "f/points.npy: expected an array as numpy.savez or numpy.savez_compressed packs it, found "
         "method 14");
-  // Nothing is made room for that zlib cannot have packed of the numbers of a mesh, as of so many zeros.
+  // No memory is allocated for more than zlib can have packed of the numbers of a mesh, such as for
+  // very many zeros.
   const std::string zeros =
       npz({{"points.npy", npy<double>("<f8", "(100000, 2)", std::vector<double>(200'000))}}, 8);
   CHECK(error_of(array_of_npz(named(zeros), "points")).ends_with(", found 1600128"));

@@ -8,18 +8,18 @@
 namespace circumspect::formats {
 namespace {
 
-// What says nothing about points, lines and faces.
+// Keywords that do not concern points, lines and faces.
 constexpr std::array<std::string_view, 16> kReadOver = {
     "vt",     "vn",    "p",        "g",        "o",   "s",          "mg",        "usemtl",
     "mtllib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap"};
 
-// Joins lines that end in a backslash; empty ones in their place keep the numbers of lines.
+// Joins lines that end in a backslash; empty lines in their place keep the line numbers.
 Source with_lines_joined(const Source& source) {
   Source joined{source.name, source.text};
   std::string& text = joined.text;
   std::size_t at = 0;
   std::string result;
-  std::size_t owed = 0;  // ends of lines that were left out
+  std::size_t owed = 0;  // line ends that were left out
   while (at < text.size()) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::size_t last = end;

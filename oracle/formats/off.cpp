@@ -14,7 +14,7 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
 
 // What the keyword [ST][C][N][4][n]OFF says about the lines of points.
 struct Keyword {
-  bool has_more_columns = false;  // textures, colours, normals behind the coordinates
+  bool has_more_columns = false;  // textures, colours, normals after the coordinates
   bool has_fourth = false;        // one more coordinate
   bool has_dimension = false;     // given by a number of its own
 };
@@ -43,7 +43,7 @@ class OffHeader {
     return lines_.count(column_++, what);
   }
 
-  // Requires that nothing is left on the line, but for a number of edges that nobody needs.
+  // Requires that nothing is left on the line except the number of edges, which is not needed.
   Status finish_off() {
     if (column_ < lines_.size()) {
       const Result<std::size_t> edges = lines_.count(column_++, "the number of edges");
@@ -55,10 +55,10 @@ class OffHeader {
 
  private:
   Lines& lines_;
-  std::size_t column_ = 1;  // behind the keyword
+  std::size_t column_ = 1;  // after the keyword
 };
 
-// How the file is laid out, as its header says.
+// The layout of the file according to its header.
 struct Layout {
   std::size_t dimension = 3;
   bool has_more_columns = false;
@@ -104,8 +104,8 @@ Status next_of(Lines& lines, const std::string& one, std::size_t done, std::size
                     "the end of the file");
 }
 
-// What stands behind the columns that matter: colours, normals, textures. No claim is about them.
-// They have to be numbers all the same.
+// What follows the columns that matter: colours, normals, textures. No claim is about them, but
+// they have to be numbers.
 Status check_others(const Lines& lines, std::size_t first, NumberReading reading) {
   const auto numbers = lines.numbers(first, lines.size() - first, reading);
   if (!numbers) return tl::unexpected(numbers.error());
@@ -180,7 +180,7 @@ Result<OffFile> read_unwrapped(const Source& source, NumberReading reading) {
   return finish_off(lines, std::move(file));
 }
 
-// Faces whose vertices go on over further lines, each to the end of one.
+// Faces whose vertices continue over further lines, each face up to the end of a line.
 Result<OffFile> read_wrapped(const Source& source, NumberReading reading) {
   Lines lines(source);
   const Result<Layout> layout = read_header(lines);
@@ -230,7 +230,7 @@ Result<OffFile> read_off(const Source& source, NumberReading reading) {
   Result<OffFile> file = read_unwrapped(source, reading);
   if (file) return file;
   Result<OffFile> wrapped = read_wrapped(source, reading);
-  return wrapped ? wrapped : file;  // what is wrong is said of the usual form
+  return wrapped ? wrapped : file;  // errors are reported for the usual form
 }
 
 void write_off(std::ostream& out, const OffFile& file) {

@@ -16,18 +16,18 @@ namespace circumspect::formats {
 
 namespace {
 
-// How far the first line and the first row are looked for, and the first row of a further block.
+// How far to search for the first line and the first row, and for the first row of a further block.
 constexpr std::size_t kBeginning = std::size_t{1} << 16U;
 constexpr std::size_t kBlockBeginning = std::size_t{1} << 12U;
 
-// Lines copied out of a file, as PlainTokens wants them.
+// Lines copied out of a file, as PlainTokens requires them.
 class LinesOfFile {
  public:
-  // Makes room for as many bytes.
+  // Makes room for so many bytes.
   explicit LinesOfFile(std::size_t most) : bytes_(most + 1 + PlainTokens::kPadding) {}
 
-  // Copies the bytes from `begin` up to `end`; the last line gets an end if it has none. False if the
-  // file does not have them any more. Requires: there is room.
+  // Copies the bytes from `begin` up to `end`; the last line gets an end if it has none. False if
+  // the file no longer has them. Requires: there is room.
   bool copy(const RandomAccess& file, std::size_t begin, std::size_t end) {
     size_ = end - begin;
     if (!file.read(begin, size_, bytes_.data())) return false;
@@ -35,7 +35,7 @@ class LinesOfFile {
     return true;
   }
 
-  // The same with up to `most` bytes, without the line that they break off in.
+  // The same with up to `most` bytes, without the incomplete line at their end.
   bool copy_some(const RandomAccess& file, std::size_t begin, std::size_t most) {
     const std::size_t end = begin + std::min(most, file.size() - begin);
     if (!file.read(begin, end - begin, bytes_.data())) return false;
@@ -49,7 +49,7 @@ class LinesOfFile {
   PlainTokens tokens(std::size_t from = 0) const {
     return {bytes_.data() + from, bytes_.data() + size_};
   }
-  // How many bytes precede where the tokens are.
+  // How many bytes precede the current position of the tokens.
   std::size_t before(const PlainTokens& tokens) const {
     return static_cast<std::size_t>(tokens.at() - bytes_.data());
   }
@@ -71,15 +71,15 @@ bool skip_empty_lines(PlainTokens& tokens) {
   return false;
 }
 
-// The first index of these lines; none if there is no line with a token, or that is not an integer.
+// The first index of these lines; nothing if no line has a token, or if the token is not an
+// integer.
 std::optional<std::int64_t> first_index(PlainTokens tokens) {
   std::int64_t index = 0;
   if (!skip_empty_lines(tokens) || !tokens.integer(index)) return std::nullopt;
   return index;
 }
 
-// Where a block may begin that is to begin near `target`, and its first row; none if that cannot be
-// seen from the lines there.
+// Where a block near `target` may begin, and its first row; nothing if the lines there do not tell.
 std::optional<PlainBlock> cut_near(const RandomAccess& file, std::size_t target, Vertex first,
                                    LinesOfFile& lines) {
   if (!lines.copy_some(file, target, kBlockBeginning)) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<PlainBlock> cut_near(const RandomAccess& file, std::size_t target,
   return PlainBlock{target + line, 0, count_of(*index - first), 0};
 }
 
-// The blocks follow each other, and all hold some rows.
+// The blocks are consecutive, and all hold some rows.
 bool is_in_order(const PlainRows& rows) {
   return std::all_of(rows.blocks.begin(), rows.blocks.end(), [&rows](const PlainBlock& block) {
     return block.first < block.last || rows.blocks.size() == 1;
@@ -121,7 +121,7 @@ std::optional<PlainHeader> read_plain_header(const RandomAccess& file) {
 std::optional<PlainRows> plan_rows(const RandomAccess& file, std::size_t begin, std::size_t rows,
                                    std::size_t columns, std::size_t block_size) {
   const std::size_t bytes = file.size() - begin;
-  // A column is at least one character and what separates it from the next.
+  // A column takes at least one character and a separator.
   if (columns > kMostPlainColumns || rows > bytes / (2 * columns) + 1) return std::nullopt;
   LinesOfFile lines(std::min(kBeginning, bytes));
   if (!lines.copy_some(file, begin, kBeginning)) return std::nullopt;
@@ -168,7 +168,7 @@ bool for_each_block(const RandomAccess& file, const PlainRows& rows, unsigned th
   try {
     for (std::size_t i = 1; i < workers; ++i) others.emplace_back(work, std::ref(lines[i]));
   } catch (const std::system_error&) {
-    // The machine gives no more threads: those that there are do the work.
+    // The system allows no more threads, so the existing ones do the work.
   }
   work(lines[0]);
   others.clear();
@@ -197,13 +197,13 @@ std::optional<PlainNodeHeader> node_header(const PlainHeader& header) {
   return node;
 }
 
-// `value` less `first`; false if the difference has no room.
+// `value` minus `first`; false if the difference does not fit.
 template <class Index>
 bool count_from(Vertex first, std::int64_t value, Index& difference) {
   return !__builtin_sub_overflow(value, std::int64_t{first}, &difference);
 }
 
-// Without the blocks that have rows, but none of the slice.
+// Leaves out blocks that have rows but none of the slice.
 PlainRows blocks_with(PlainRows rows, Slice slice) {
   std::erase_if(rows.blocks, [slice](const PlainBlock& block) {
     return block.first < block.last && (block.last <= slice.begin || block.first >= slice.end);
@@ -211,7 +211,7 @@ PlainRows blocks_with(PlainRows rows, Slice slice) {
   return rows;
 }
 
-// The columns of .ele and .neigh: indices, and numbers that say nothing of a mesh.
+// The columns of .ele and .neigh: indices, and numbers that do not matter for a mesh.
 struct IndexColumns {
   std::size_t indices = 0;
   std::size_t attributes = 0;
@@ -232,7 +232,7 @@ std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& re
   points.first_index = rows->first_index;
   points.in_file = node->points;
   const auto read_row = [&points, &node, slice](PlainTokens& tokens, std::size_t row) {
-    std::array<double, kLargestDimension> others;  // of a row that is not wanted
+    std::array<double, kLargestDimension> others;  // of a row outside the slice
     std::span<double> coordinates(others.data(), node->dimension);
     double ignored = 0;
     double* weight = &ignored;
@@ -255,8 +255,8 @@ std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& re
   return points;
 }
 
-// `to_flat(value, first_row, index)`: the index from 0 for what the file says, where the first row has
-// the index `first_row`; false if there is none.
+// `to_flat(value, first_row, index)`: converts an index of the file to one from 0, given the index
+// `first_row` of the first row; false if there is none.
 template <class Index, class ToFlat>
 std::optional<PlainIndices<Index>> indices(const RandomAccess& file, const PlainHeader& header,
                                            IndexColumns columns, const PlainReading& reading,
@@ -314,7 +314,7 @@ std::optional<PlainIndices<std::int32_t>> neigh(const RandomAccess& file,
                                });
 }
 
-// Memory that there is not is no answer either: the slow reader says so.
+// If memory runs out, there is no answer either, and the slow reader says so.
 template <class Read>
 auto or_nothing(const Read& read) -> decltype(read()) {
   try {

@@ -21,23 +21,23 @@
 namespace circumspect::formats {
 
 // ---- Plain tokens ----
-// The tokens of text that is as programs write it: plain integers and decimals. Anything else is not
-// judged here: every function answers false, and who reads the text again with Lines gets the message
-// or the value. What is taken here has exactly the value that Lines gives it.
+// The tokens of text as programs write it: plain integers and decimals. For anything else every
+// function returns false, and reading the text again with Lines gives the message or the value. A
+// token that is accepted here has exactly the value that Lines gives it.
 
-// Walks over whole lines, whose bytes mean what they mean to Lines.
+// Walks over whole lines; bytes have the same meaning as for Lines.
 class PlainTokens {
  public:
-  // Bytes behind the text that are read but never looked at.
+  // Bytes after the text that are loaded but never used.
   static constexpr std::size_t kPadding = 8;
 
-  // Requires: the text is empty or its last byte is '\n'; kPadding bytes behind it may be read.
+  // Requires: the text is empty or its last byte is '\n'; kPadding bytes after it may be read.
   PlainTokens(const char* begin, const char* end) : at_(begin), end_(end) {}
 
   bool at_end() const { return at_ == end_; }
   const char* at() const { return at_; }
 
-  // Goes behind the end of this line if nothing but blanks and a comment precede it.
+  // Goes past the end of this line if only blanks and a comment remain on it.
   bool skip_line_end() {
     skip_blanks();
     if (*at_ == '#') at_ = static_cast<const char*>(std::memchr(at_, '\n', bytes_left()));
@@ -57,10 +57,10 @@ class PlainTokens {
     return ends_token(*at_);
   }
 
-  // A decimal: [-]digits[.digits][e[+-]digits], one of the two runs of digits perhaps empty. Its value
-  // is the nearest double, as from strtod, but 0 for -0. What overflows is refused. Of the numbers that
-  // from_chars knows beyond these, "inf" and "nan" are not finite; hexadecimal floats and fractions go
-  // on where from_chars stops.
+  // A decimal: [-]digits[.digits][e[+-]digits], one of the two runs of digits perhaps empty. Its
+  // value is the nearest double, as from strtod, but 0 for -0. Numbers that overflow are refused.
+  // from_chars also accepts "inf" and "nan", which are not finite, and it stops within hexadecimal
+  // floats and fractions, so these are refused too.
   bool number(double& value) {
     skip_blanks();
     const auto [stop, error] = std::from_chars(at_, end_, value);
@@ -72,7 +72,7 @@ class PlainTokens {
   }
 
  private:
-  // Tab, line feed, vertical tab, form feed, carriage return follow each other.
+  // Tab, line feed, vertical tab, form feed and carriage return are consecutive.
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   static bool is_blank(char c) { return is_space(c) && c != '\n'; }
   static bool ends_token(char c) { return is_space(c) || c == '#'; }
@@ -96,13 +96,13 @@ class PlainTokens {
     return at_ != first;
   }
 
-  // Up to eight digits at once, without a branch on how many there are: the digits are moved to the
-  // upper end of a word, zeros come in below, which stand for leading zeros.
+  // Reads up to eight digits at once, without a branch on their number: the digits are shifted to
+  // the upper end of a word, and the zeros shifted in act as leading zeros.
   void eight_digits(std::int64_t& value) {
     std::uint64_t word = 0;
     std::memcpy(&word, at_, sizeof word);
-    word ^= 0x3030303030303030U;  // a digit becomes its value, all else more than 9
-    // The lowest byte above 9 has its high bit set; a carry spoils only those behind it.
+    word ^= 0x3030303030303030U;  // a digit becomes its value, anything else more than 9
+    // The lowest byte above 9 has its high bit set; a carry affects only later bytes.
     const std::uint64_t others = ((word + 0x7676767676767676U) | word) & 0x8080808080808080U;
     const auto count = static_cast<unsigned>(std::countr_zero(others)) / 8;
     if (count == 0) return;
@@ -120,8 +120,8 @@ class PlainTokens {
 
 // ---- Plain rows ----
 // The files of Triangle and TetGen as programs write them: a header, then numbered rows, read by
-// several threads. Whatever is not exactly of that form is left to NumberedLines, which says what is
-// wrong with it, or reads it all the same: here that is not an error, there is just no answer.
+// several threads. Anything that is not exactly of that form is left to NumberedLines, which reads
+// it or says what is wrong with it: here that is not an error, but there is no answer.
 
 // The numbers on the first line that has any.
 struct PlainHeader {
@@ -129,10 +129,11 @@ struct PlainHeader {
   std::size_t size = 0;                     // how many there are
   std::size_t end = 0;                      // where the next line begins
 };
-// None unless there are 1 to 4 integers, 0 or more.
+// Nothing unless there are 1 to 4 integers, 0 or more.
 std::optional<PlainHeader> read_plain_header(const RandomAccess& file);
 
-// A part of a file that one thread reads: whole lines, which hold the rows from `first` up to `last`.
+// A part of a file that one thread reads: whole lines, which hold the rows from `first` up to
+// `last`.
 struct PlainBlock {
   std::size_t begin = 0;  // bytes
   std::size_t end = 0;
@@ -140,7 +141,7 @@ struct PlainBlock {
   std::size_t last = 0;
 };
 
-// More columns are not a mesh.
+// A mesh never has more columns.
 inline constexpr std::size_t kMostPlainColumns = 1000;
 
 // Small enough for a core's own cache, large enough that cutting costs nothing.
@@ -151,10 +152,10 @@ struct PlainRows {
   std::vector<PlainBlock> blocks = {};
 };
 
-// Divides what follows the header into blocks of about `block_size` bytes. Which row a block begins
-// with is read from its first line, and is true only if all blocks turn out to hold the rows that this
-// says they do. None if there cannot be as many rows of as many columns in so few bytes: with a plan,
-// the count can be trusted with memory. Requires: columns, block_size > 0.
+// Divides the text after the header into blocks of about `block_size` bytes. The first row of a
+// block is read from its first line, and is correct only if all blocks turn out to hold the rows
+// that the plan says. Nothing if so few bytes cannot hold so many rows and columns: given a plan,
+// it is safe to allocate memory for the count. Requires: columns, block_size > 0.
 std::optional<PlainRows> plan_rows(const RandomAccess& file, std::size_t begin, std::size_t rows,
                                    std::size_t columns, std::size_t block_size);
 
@@ -166,9 +167,10 @@ bool for_each_block(const RandomAccess& file, const PlainRows& rows, unsigned th
 // Small enough for a core's own cache, large enough that cutting costs nothing.
 inline constexpr std::size_t kBlockSize = std::size_t{1} << 18U;
 
-// Reads the rows of a plan. `read_row(tokens, row)` takes what follows the index and answers false if
-// it is not plain; it is called once for each row, from several threads. False if a row is not plain,
-// not numbered one more than the row before, missing, or one too many: then some calls may be missing.
+// Reads the rows of a plan. `read_row(tokens, row)` reads the tokens after the index and returns
+// false if they are not plain; it is called once for each row, from several threads. False if a row
+// is not plain, not numbered one more than the row before, missing, or one too many: then some
+// calls may be missing.
 template <class ReadRow>
 bool read_plain_rows(const RandomAccess& file, const PlainRows& rows, unsigned threads,
                      const ReadRow& read_row) {
@@ -188,14 +190,15 @@ bool read_plain_rows(const RandomAccess& file, const PlainRows& rows, unsigned t
 }
 
 // ---- Plain files ----
-// .node, .ele and .neigh files as programs write them, read at the speed of memory into flat arrays.
-// What is not of the plain form or at fault has no answer here: tetgen.hpp then reads it, or says what
-// is wrong with it. Where there is an answer, it is the same, with NumberReading::kDouble.
+// .node, .ele and .neigh files as programs write them, read at the speed of memory into flat
+// arrays. Files that are faulty or not of the plain form have no answer here: tetgen.hpp then reads
+// them, or says what is wrong. An answer is always the same as that of tetgen.hpp with
+// NumberReading::kDouble.
 
 struct PlainReading {
   unsigned threads = 0;  // 0: as many as the machine has; the answer is the same for any number
   std::size_t block_size = kPlainBlock;
-  PartOf part = {};  // of the rows: no others are read, nor looked at
+  PartOf part = {};  // of the rows; no others are read or checked
 };
 
 struct PlainPoints {
@@ -217,8 +220,8 @@ struct PlainIndices {
 std::optional<PlainPoints> read_plain_node(const RandomAccess& file,
                                            const PlainReading& reading = {});
 
-// As read_ele, each vertex less `first_point`, the user's index of the first point. Some may name no
-// point.
+// As read_ele, with `first_point`, the user's index of the first point, subtracted from each
+// vertex. Some may name no point.
 std::optional<PlainIndices<std::int32_t>> read_plain_ele(const RandomAccess& file,
                                                          Vertex first_point,
                                                          const PlainReading& reading = {});
@@ -227,7 +230,8 @@ std::optional<PlainIndices<std::int64_t>> read_plain_wide_ele(const RandomAccess
                                                               Vertex first_point,
                                                               const PlainReading& reading = {});
 
-// As read_neigh, each simplex less the index of the first; −1 stays −1, and none is below.
+// As read_neigh, with the index of the first simplex subtracted from each; −1 stays −1, and no
+// result is less.
 std::optional<PlainIndices<std::int32_t>> read_plain_neigh(const RandomAccess& file,
                                                            const PlainReading& reading = {});
 

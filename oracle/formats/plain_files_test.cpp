@@ -1,5 +1,5 @@
-// The readers of plain files: what they take, what they leave, and that it is the same however a file
-// is cut among threads.
+// The readers of plain files: what they accept, what they leave, and that the result does not
+// depend on how a file is divided among threads.
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -61,7 +61,7 @@ TEST_CASE("plain ele: vertices counted from that of the first point") {
   CHECK(vertices ==
         std::vector<std::int32_t>{0, 1, 2, 3, 12345677, 1, 123456788, -1, -3, 2147483646, 2, 3});
   CHECK(answer_to_ele(kTetgenEle, 0) == Answer::kSame);
-  // 2147483647 + 1 fits 32 bits no more.
+  // 2147483647 + 1 no longer fits 32 bits.
   CHECK(answer_to_ele(kTetgenEle, -1) == Answer::kNone);
   CHECK(answer_to_ele("1 1\n1 9223372036854775807\n", -1) == Answer::kNone);
 }
@@ -113,7 +113,7 @@ TEST_CASE("plain neigh: simplices counted from 0, -1 stays, none is below") {
 }
 
 TEST_CASE("what is not plain has no answer") {
-  // What the other reader takes.
+  // Texts that the other reader accepts.
   for (const std::string text :
        {"1 1\n0 1/3\n", "1 1\n0 0x1p3\n", "1 1\n0 +1\n", "1 1\n+0 1\n", "+1 1\n0 1\n",
         "1 1 1\n0 1 1/2\n", "1 1 0 1\n0 1 +1\n", "1 1 0 1\n0 1 1234567890123456789\n",
@@ -122,7 +122,7 @@ TEST_CASE("what is not plain has no answer") {
     CHECK(read_node({"f", text}, NumberReading::kDouble));
     CHECK(answer_to_node(text) == Answer::kNone);
   }
-  // What it refuses.
+  // Texts that it refuses.
   for (const std::string text : {"",
                                  "#",
                                  "1",

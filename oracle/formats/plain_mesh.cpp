@@ -13,7 +13,7 @@ std::string beside(const std::string& path, std::string_view other_extension) {
   return path.substr(0, path.size() - extension(path).size()) + std::string(other_extension);
 }
 
-// A file, or what has been loaded of it.
+// A file, or its loaded text.
 struct FileBytes {
   std::optional<RandomAccess> file = {};
   const Source* text = nullptr;  // if it has been loaded
@@ -38,7 +38,7 @@ std::optional<PlainPoints> plain_points(const MeshRequest& request, const std::s
   return PlainPoints{std::move(*coordinates)};
 }
 
-// Vertices less the index of the first point; none if one does not fit.
+// Subtracts the index of the first point from each vertex; nothing if one does not fit.
 template <class Index>
 std::optional<IndexLists> counted_from(Vertex first_point, Rows<Index> simplices) {
   if (first_point != 0) {
@@ -74,7 +74,7 @@ bool read_neighbors(const std::string& ele, std::size_t columns, const PlainRead
   return fits;
 }
 
-// The triangles and edges beside an .ele file, as far as there are files of them.
+// The triangles and edges beside an .ele file, if there are such files.
 bool read_plain_faces(const std::string& ele, MeshFile& read) {
   Mesh& mesh = read.mesh;
   for (const auto& [end, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
@@ -95,7 +95,7 @@ bool read_plain_faces(const std::string& ele, MeshFile& read) {
   return true;
 }
 
-// The columns of the rows in which the simplices are, also if there are no rows.
+// The number of columns of the simplices, even if there are no rows.
 std::size_t columns_of(const IndexLists& simplices) {
   if (const auto* const wide = simplices.rows<std::int64_t>()) return wide->columns();
   return simplices.rows<std::int32_t>()->columns();

@@ -1,4 +1,4 @@
-// Which meshes are read as plain ones, and that they are those that are read line by line.
+// Which meshes are read as plain ones, and that the result is the same as reading line by line.
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -41,7 +41,7 @@ void check_same(const MeshFile& plain, const MeshFile& listed) {
   CHECK(a.neighbors->first_index == b.neighbors->first_index);
 }
 
-// What both readers read is the same, with weights and without; true if the plain one has an answer.
+// Both readers read the same mesh, with weights and without; true if the plain one has an answer.
 bool is_read(MeshRequest request) {
   std::size_t answers = 0;
   for (const Weights weights : {Weights::kNone, Weights::kListed, Weights::kDemanded}) {
@@ -125,7 +125,7 @@ TEST_CASE("plain meshes: an archive of .npy files, by its name or by what it hol
     const auto file = read_mesh({folder.write(name, archive)});
     REQUIRE_MESSAGE(file.has_value(), error_of(file));
     CHECK(file->mesh.simplices.lists() == kTwoTriangles);
-    CHECK(file->mesh.simplices.rows<std::int32_t>());  // as it lay there
+    CHECK(file->mesh.simplices.rows<std::int32_t>());  // exactly as in the file
     CHECK(file->points_name == folder.path(name) + "/points.npy");
     CHECK(read_points(folder.path(name), NumberReading::kDouble)->points.points.size() == 4);
   }
@@ -174,7 +174,7 @@ TEST_CASE("plain meshes: all else is read as ever") {
   CHECK(!is_read({ele}));
 }
 
-// Writes a text into a pipe of that name as soon as somebody reads it, within ten seconds.
+// Writes a text into a pipe of that name as soon as a reader opens it, within ten seconds.
 class Pipe {
  public:
   Pipe(const std::string& path, const std::string& text) {
@@ -207,7 +207,7 @@ TEST_CASE("plain meshes: what comes through pipes is read once, and kept for the
     CHECK(request.loaded.size() == 2);
     return request;
   };
-  // Known by their names, and by what they hold.
+  // They are recognised by their names, and by their contents.
   for (const std::string end : {"1", ".ele"}) {
     const MeshRequest request = request_of("mesh" + end, end == "1" ? "points" : "points.node");
     CHECK(is_read(request));
@@ -230,7 +230,7 @@ TEST_CASE("load_streams: nothing of what can be read again, and what is wrong wi
   request = {"-", "-"};
   load_streams(request);
   CHECK(request.loaded.empty());
-  // No format by name, and none of a mesh by what it holds.
+  // Neither its name nor its content tells a mesh format.
   request = {folder.write("mesh", kEle)};
   load_streams(request);
   CHECK(request.loaded.size() == 1);

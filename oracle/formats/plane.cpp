@@ -97,7 +97,7 @@ std::optional<DomainFile> in_plane(const DomainFile& file) {
   plane.polygon_markers.clear();
   for (PolygonLines& face : plane.faces) {
     for (Point& seed : face.hole_seeds) {
-      if (seed[2] != *height) return std::nullopt;  // which is a fault of the domain in space
+      if (seed[2] != *height) return std::nullopt;  // this is a fault of the domain in space
       seed.pop_back();
     }
   }

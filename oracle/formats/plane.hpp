@@ -1,10 +1,10 @@
-// Files of the plane whose points have three coordinates: one rule for all formats. docs/formats.md
-// has it for users.
+// Planar files whose points have three coordinates: one rule for all formats, which docs/formats.md
+// explains to users.
 //
-// Most programs write a mesh of the plane as one in space, z = 0. So the third coordinate is left
-// out, and a note says so, if it is exactly the same for all points and nothing in the file needs
-// space: a tetrahedron, or a hole seed of a polyhedron. Another constant coordinate stays: which
-// two coordinates of the plane the others would be, no file says.
+// Most programs write a planar mesh as one in space, with z = 0. So the third coordinate is left
+// out, with a note, if it is exactly the same for all points and nothing in the file needs space,
+// such as a tetrahedron or a hole seed of a polyhedron. If another coordinate is constant, it
+// stays, because no file says which two coordinates the plane should get.
 #pragma once
 
 #include <optional>
@@ -22,28 +22,30 @@ namespace circumspect::formats {
 std::optional<Rational> common_height(const std::vector<Point>& points);
 
 // Leaves out the third coordinate of a mesh, and notes it, if it is the same for all points, and
-// `height` if that is given; else nothing. Whether the simplices need space, needs_space says.
+// equal to `height` if that is given; else does nothing. needs_space says whether the simplices
+// need space.
 void leave_out_height(MeshFile& file, const std::optional<Rational>& height);
 
-// Puts back what was left out.
+// Restores the coordinate that was left out.
 void put_back_height(Mesh& mesh, const Rational& height);
 
 std::string note_of_height(const std::string& points_name, const Rational& height);
 
-// Is a mesh of these simplices one of space, wherever its points are? `vertices`: of each, if the
-// file says so of simplices that it does not list, as TetGen does of a mesh that has only faces.
+// Does a mesh of these simplices need space, wherever its points are? `vertices`: the number for
+// each simplex, if the file states it without listing simplices, as TetGen does for a mesh that has
+// only faces.
 bool needs_space(const std::vector<Simplex>& simplices, std::size_t vertices,
                  const std::vector<Simplex>& faces);
 
 // The same domain in the plane: the edges of its polygons are segments, each once, and its polygons
-// are its faces. None if it has to stay in space. The result is not noted.
+// are its faces. Nothing if it has to stay in space. Adds no note.
 std::optional<DomainFile> in_plane(const DomainFile& file);
 
-// A domain that is taken for one in the plane, where it can be: with the note, and with the file as
-// it stands.
+// The domain as a planar one if possible, with the note and the unchanged domain.
 DomainFile taken_for_plane(DomainFile file);
 
-// The file with all coordinates that it has; the same only where these are to be `dimension` ones.
+// The domain with all coordinates of the file; the second function does this only if there should
+// be `dimension` of them.
 DomainFile as_it_stands(DomainFile file);
 DomainFile of_dimension(DomainFile file, std::size_t dimension);
 

@@ -1,4 +1,4 @@
-// Files of the plane with a third coordinate: one rule for meshes and domains of all formats.
+// Planar files with a third coordinate: one rule for meshes and domains of all formats.
 #include "oracle/formats/plane.hpp"
 
 #include <doctest/doctest.h>
@@ -35,7 +35,7 @@ TEST_CASE("a flat mesh of triangles is one of the plane, in every format, and a 
     CHECK(mesh->mesh.simplices.size() == 2);
     CHECK(mesh->notes == std::vector<std::string>{note(mesh->points_name, "0.5")});
     CHECK(mesh->height == Rational(1) / 2);
-    // Not if somebody says that it is one of space, or that files are taken as they stand.
+    // Not if the user says that it is in space, or that files are read unchanged.
     const auto in_space = read_mesh({.mesh = path, .domain_dimension = 3});
     CHECK(in_space->mesh.dimension() == 3);
     CHECK(!in_space->height);
@@ -77,7 +77,7 @@ TEST_CASE("what has cells of space stays there, wherever its points are") {
   const std::string square = "4 3\n0 0 0 5\n1 1 0 5\n2 1 1 5\n3 0 1 5\n";
   folder.write("t.node", square);
   CHECK(dimension_of(folder, "t.ele", "1 4\n0 0 1 2 3\n") == 3);
-  // TetGen's mesh of what dangles alone: no tetrahedra, which would have four vertices.
+  // TetGen's mesh of dangling parts alone: no tetrahedra, which would have four vertices.
   folder.write("t.face", "1 0\n0 0 1 2\n");
   CHECK(dimension_of(folder, "t.ele", "0 4\n") == 3);
   const std::string points =
@@ -93,7 +93,7 @@ TEST_CASE("what has cells of space stays there, wherever its points are") {
       folder.write("d.mesh", medit + "Triangles 1 1 2 3 0 Tetrahedra 1 1 2 3 4 0 End"), kDouble);
   REQUIRE(domain);
   CHECK(domain->dimension == 3);
-  CHECK(domain->notes.size() == 1);  // of the vertex of the tetrahedron alone
+  CHECK(domain->notes.size() == 1);  // for the vertex of the tetrahedron alone
 }
 
 TEST_CASE("only the third coordinate is left out, and only if it is exactly the same") {

@@ -90,7 +90,7 @@ class BinaryRows final : public PlyRows {
   }
   Status skip(PlyType type, std::size_t count) override {
     go_on();
-    // The count may be anything: no product of it before it is known to be small.
+    // The count may be anything, so it is not multiplied before it is known to be small.
     if (count > bytes_.left() / type.size) return ended();
     bytes_.skip(count * type.size);
     return {};
@@ -247,7 +247,7 @@ Result<PlyFile> read_ply_body(PlyRows& rows, const PlyHeader& header) {
   return file;
 }
 
-// What ends the lines: a carriage return alone, if the first line ends with one.
+// The line end: a carriage return alone, if the first line ends with one.
 char end_of_lines(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n");
   if (end == std::string_view::npos || text[end] == '\n') return '\n';

@@ -10,8 +10,8 @@
 //     end_header
 //     …                                           the elements, one list of each kind
 //
-// Elements and properties of other names are read over. Lines may also end with a carriage return alone, as
-// programs for old Macintoshes write them.
+// Elements and properties of other names are skipped. Lines may also end with a carriage return
+// alone, as programs for old Macintoshes write them.
 #pragma once
 
 #include <cstddef>
@@ -39,14 +39,15 @@ Result<PlyFile> read_ply_file(const Source& source, NumberReading reading);
 // The same as elements, faces as polygons.
 Result<ElementFile> read_ply_elements(const Source& source, NumberReading reading);
 
-// In text: the points, the surface (surface_of) and, as far as there are any, the edges. Requires: as write_gmsh.
+// Writes text: the points, the surface (surface_of) and the edges, if there are any. Requires: as
+// write_gmsh.
 void write_ply(std::ostream& out, const ElementFile& file);
 
 // A surface. Faces are polygons of one line. Errors: also, a file without the element face.
 Result<DomainFile> read_ply(const Source& source, NumberReading reading);
 
 // ---- PLY header ----
-// The header of a PLY file: which elements there are, how many, and of what they are made.
+// The header of a PLY file: the elements, their numbers and their properties.
 
 // char, uchar, short, ushort, int, uint, float and double, or int8 … float64.
 struct PlyType {
@@ -73,8 +74,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements = {};
 };
 
-// Reads the header, so that the next line is the first behind it. Errors: among others, elements
-// without properties, of which no file would tell how many there are.
+// Reads the header, so that the next line is the first one after it. Errors include elements
+// without properties, because the file could not confirm their number.
 Result<PlyHeader> read_ply_header(Lines& lines);
 
 }  // namespace circumspect::formats

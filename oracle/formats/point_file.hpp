@@ -16,7 +16,7 @@ namespace circumspect::formats {
 
 // ---- Point file ----
 
-// Points of more coordinates than this are refused.
+// Points with more coordinates than this are refused.
 inline constexpr std::size_t kLargestDimension = 16;
 
 struct PointFile {
@@ -32,9 +32,9 @@ struct PointFile {
 // ---- Simplex file ----
 
 struct SimplexFile {
-  std::vector<Simplex> simplices = {};  // indices of points exactly as in the file
-  std::vector<std::size_t> lines = {};  // the line on which each stands, for messages
-  std::vector<Vertex> labels = {};  // what the file says each belongs to; empty if it does not say
+  std::vector<Simplex> simplices = {};   // indices of points exactly as in the file
+  std::vector<std::size_t> lines = {};   // the line of each, for messages
+  std::vector<Vertex> labels = {};       // the label of each in the file; empty if there are none
   std::size_t vertices_per_simplex = 0;  // 0 if they differ
   Vertex first_index = 0;                // the user's index of the first simplex
 };
@@ -52,9 +52,9 @@ inline std::size_t size_of_each(const std::vector<Simplex>& simplices) {
 // ---- Point lists ----
 // Points alone, a line each: .xyz with blanks between the coordinates, .csv with commas.
 //
-//     0.5 1 2             x,y,z                   a first line may name the columns: those named x, y and z
-//     3 4 5               0.5,1,2                 (in any case; or Points:0 … as ParaView writes) are the
-//     …                   3,4,5                   coordinates, and any others are read over
+//     0.5 1 2             x,y,z                   a first line may name the columns: those named x,
+//     3 4 5               0.5,1,2                 y and z (in any case; or ParaView's Points:0 …)
+//     …                   3,4,5                   are the coordinates, and any others are skipped
 //
 // The number of coordinates of the first line is the dimension.
 

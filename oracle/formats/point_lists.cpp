@@ -26,10 +26,10 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
   }
 }
 
-// Does a field begin as a number does?
+// Does a field begin like a number?
 bool is_number(std::string_view field) { return field.find_first_of("0123456789") <= 1; }
 
-// Which coordinate a column of this name holds; none if it is another.
+// Which coordinate a column of this name holds; nothing for other columns.
 std::optional<std::size_t> axis_of(std::string_view name) {
   constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
   constexpr std::array<std::string_view, 3> kOfParaView = {"points:0", "points:1", "points:2"};
@@ -68,7 +68,7 @@ class CsvReader {
   }
 
  private:
-  // Goes to the next line on which something stands.
+  // Goes to the next non-empty line.
   bool next() {
     while (!rest_.empty()) {
       ++line_;
@@ -184,7 +184,7 @@ Result<PointFile> read_csv(const Source& source, NumberReading reading) {
 
 namespace {
 
-// A line that holds nothing but a count.
+// A line that holds only a count.
 Result<std::size_t> read_count(Lines& lines, const std::string& what) {
   if (!lines.next()) return lines.fail_at(0, what);
   const Result<std::size_t> count = lines.count(0, what);
@@ -193,7 +193,7 @@ Result<std::size_t> read_count(Lines& lines, const std::string& what) {
   return count;
 }
 
-// The first line: the dimension, and any comment behind it.
+// The first line: the dimension, and perhaps a comment.
 Result<std::size_t> read_dimension(Lines& lines) {
   if (!lines.next()) return lines.fail_at(0, "the dimension");
   const Result<std::size_t> dimension = lines.count(0, "the dimension");

@@ -43,7 +43,7 @@ class PolyReader {
   NumberReading reading_;
   DomainFile file_;
   std::size_t markers_ = 0;
-  Vertex marker_ = 0;  // of the facet that was read last
+  Vertex marker_ = 0;  // of the facet read last
 };
 
 Status PolyReader::read_points(const PointsElsewhere& points_elsewhere) {
@@ -63,7 +63,7 @@ Status PolyReader::read_points(const PointsElsewhere& points_elsewhere) {
   return take_points(file_, std::move(*points), line);
 }
 
-// The number of boundary markers a line, behind the count of a header.
+// The number of boundary markers for each line, which follows the count in a header.
 Status PolyReader::read_markers() {
   const Result<std::size_t> markers = numbered_.header_count(1, "the number of markers");
   if (!markers) return tl::unexpected(markers.error());
@@ -102,7 +102,7 @@ Status PolyReader::next_line(const std::string& one, std::size_t done, std::size
                       "the end of the file");
 }
 
-// `count` vertices from a column on, going on over the lines that follow.
+// `count` vertices from a column on, continuing on the following lines.
 Result<std::vector<Vertex>> PolyReader::corners(std::size_t count, std::size_t& column) {
   std::vector<Vertex> places;
   while (places.size() < count) {

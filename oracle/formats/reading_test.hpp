@@ -15,7 +15,7 @@
 namespace circumspect::formats {
 
 // ---- Reading ----
-// What the tests of readers have in common: a source that has the name "f", and what a reader complains of.
+// Shared by the tests of readers: a source with the name "f", and the message of a reader.
 
 constexpr NumberReading kDouble = NumberReading::kDouble;
 
@@ -52,7 +52,7 @@ std::string npy(const std::string& type, const std::string& shape, const std::ve
       data);
 }
 
-// What zlib makes of it, without a head of its own.
+// The text compressed by zlib, as raw data without a header.
 inline std::string deflated(const std::string& bytes) {
   std::string packed(compressBound(bytes.size()) + 16, '\0');
   z_stream stream = {};
@@ -83,7 +83,7 @@ inline std::string npz(const std::vector<std::pair<std::string, std::string>>& f
                              number(sum, 4) + number(stored.size(), 4) + number(bytes.size(), 4) +
                              number(name.size(), 2);
     directory += "PK\1\2" + number(20, 2) + both + number(0, 12) + number(archive.size(), 4) + name;
-    // numpy.savez writes a further field here, which the directory does not have.
+    // numpy.savez writes a further field here that the directory does not have.
     archive += "PK\3\4" + both + number(4, 2) + name + number(0, 4) + stored;
   }
   return archive + directory + "PK\5\6" + number(0, 4) + number(files.size(), 2) +

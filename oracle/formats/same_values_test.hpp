@@ -9,7 +9,7 @@
 
 namespace circumspect::formats {
 
-// No answer, or the same as the other.
+// There is no answer, or the same one as the other reader's.
 enum class Answer { kNone, kSame, kOther };
 
 template <class Number>
@@ -31,7 +31,7 @@ bool has_same_rows(const Rows<Index>& flat, const std::vector<std::vector<Vertex
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != flat.columns()) return false;
     for (std::size_t j = 0; j < flat.columns(); ++j) {
-      // -1 has no neighbour whatever the indices begin with.
+      // -1 means no neighbour, whatever the first index is.
       const bool none = first_index != 0 && flat.row(i)[j] == -1 && rows[i][j] == -1;
       if (!none && flat.row(i)[j] + first_index != rows[i][j]) return false;
     }

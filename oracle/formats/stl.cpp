@@ -81,7 +81,7 @@ class TextReader {
   }
 
  private:
-  // The next line begins with these words; a name or the like may stand behind them.
+  // The next line begins with these words; more text, such as a name, may follow them.
   Status expect_words(const std::vector<std::string>& words, bool more_may_follow) {
     lines_.next();
     return check_words(words, more_may_follow);
@@ -96,7 +96,8 @@ class TextReader {
     return lines_.fail_at(words.size(), "the end of the line");
   }
 
-  // Mathematica writes no blank between "endsolid" and the name, others write one within. No other line begins so.
+  // Mathematica writes no blank between "endsolid" and the name, and other programs write one
+  // within "endsolid". No other line begins like that.
   bool is_end_of_solid() {
     constexpr std::string_view kEnd = "endsolid";
     const std::vector<std::string_view>& tokens = lines_.tokens();

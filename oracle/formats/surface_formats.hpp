@@ -1,4 +1,5 @@
-// The formats of surfaces: what the files hold, and their readers and writers. PLY's are in ply.hpp.
+// The formats of surfaces: what the files hold, and their readers and writers. PLY's are in
+// ply.hpp.
 #pragma once
 
 #include <ostream>
@@ -18,10 +19,10 @@ namespace circumspect::formats {
 //     OFF                      or COFF, NOFF, STOFF…: colours, normals, textures, which are skipped
 //     points faces edges       may stand on the line of the keyword; edges may be left out
 //     x y z                    one line a point
-//     k v0 … v(k-1) colour     one line a face, indices from 0; the colour is skipped; the vertices may go
-//                              on over further lines, behind which stands no colour
+//     k v0 … v(k-1) colour     one line a face, indices from 0; the colour is skipped; the vertices
+//                              may continue on further lines, without a colour after them
 //
-// `nOFF` puts the dimension on a line of its own (or behind the keyword) before the counts.
+// `nOFF` puts the dimension on a line of its own (or after the keyword) before the counts.
 
 struct OffFile {
   PointFile points;
@@ -70,10 +71,10 @@ void write_obj(std::ostream& out, const ElementFile& file);
 //
 // Words may be in any case. Normals are ignored, whatever they are.
 
-// STL repeats a point in every triangle that has it: equal corners become one point, which is noted.
-// What is left of a triangle with equal corners is a segment or a point; that is noted, too.
-// Points are counted from 0 in the order in which they first appear. A file is binary if it has a byte
-// 0 or does not begin with "solid".
+// STL repeats a point in every triangle that has it: equal corners become one point, which is
+// noted. A triangle with equal corners becomes a segment or a point; that is noted, too. Points are
+// counted from 0 in the order in which they first appear. A file is binary if it has a byte 0 or
+// does not begin with "solid".
 Result<DomainFile> read_stl(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats

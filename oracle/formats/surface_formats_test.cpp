@@ -9,7 +9,7 @@
 namespace circumspect::formats {
 
 // ---- Surface formats ----
-// STL and PLY, in text and binary: what is read, what is refused and with which words.
+// STL and PLY, in text and binary: what is read, what is refused, and the messages.
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
          c + "\n endloop\nendfacet\n";
 }
 
-// The bytes of a number, the least significant first, or the other way round.
+// The bytes of a number, with the least or the most significant first.
 std::string bytes(std::uint64_t value, int size, bool big_endian = false) {
   std::string text;
   for (int i = 0; i < size; ++i) {
@@ -271,7 +271,7 @@ TEST_CASE("ply: what is refused") {
 }
 
 // ---- OBJ ----
-// Wavefront's .obj: what is read over, what is refused and with which words.
+// Wavefront's .obj: what is skipped, what is refused, and the messages.
 
 namespace {
 

@@ -7,7 +7,7 @@ namespace circumspect::formats {
 
 namespace {
 
-// How many markers each line ends with, which the header says in this column.
+// The number of markers at the end of each line, which the header gives in this column.
 Result<std::size_t> marker_count(NumberedLines& numbered, std::size_t column) {
   const Result<std::size_t> markers = numbered.header_count(column, "the number of markers");
   if (markers && *markers > 1) return numbered.lines().fail_at(column, "0 or 1 markers");
@@ -20,7 +20,7 @@ struct NodeHeader {
   std::size_t markers = 0;
 };
 
-// `may_be_empty`: without points, nothing else need be said.
+// `may_be_empty`: without points, nothing else is required.
 Result<NodeHeader> read_header(NumberedLines& numbered, bool may_be_empty) {
   Status status =
       numbered.read_header("points dimension [attributes [markers]]", may_be_empty ? 1 : 2, 4);
@@ -132,8 +132,8 @@ Result<EleHeader> read_header(NumberedLines& numbered) {
   return EleHeader{*vertices, *attributes};
 }
 
-// No claim is about the attributes; they have to be numbers all the same. The first of them, which TetGen
-// and Triangle let the region say in which a simplex lies, is its label, if it is an integer.
+// No claim is about the attributes, but they have to be numbers. The first one, in which TetGen and
+// Triangle write the region of a simplex, is its label if it is an integer.
 Status read_attributes(const Lines& lines, std::size_t first, std::size_t count,
                        NumberReading reading, SimplexFile& file) {
   const auto attributes = lines.numbers(first, count, reading);
@@ -188,7 +188,7 @@ void write_ele(std::ostream& out, const SimplexFile& file) {
 
 namespace {
 
-// What a line has before TetGen's additions.
+// The columns of a line before TetGen's additions.
 struct Columns {
   std::size_t vertices = 0;
   std::size_t markers = 0;

@@ -28,7 +28,7 @@ namespace circumspect::formats {
 // follow one by one; a marker is an integer.
 Result<PointFile> read_node(const Source& source, NumberReading reading);
 
-// The list with which .poly and .smesh begin. Without points in it, they stand in a .node file, and
+// The list with which .poly and .smesh begin. If it has no points, they are in a .node file, and
 // the dimension may be left out: 0.
 Result<PointFile> read_node_list(NumberedLines& numbered, NumberReading reading);
 
@@ -44,8 +44,8 @@ void write_node(std::ostream& out, const PointFile& file);
 //     index v0 … v(k-1) attributes…                 one line a simplex
 
 // The k vertices of each simplex, as written. An .ele file does not say the dimension, so that
-// elements of second order (6 nodes in the plane, 10 in space) come back with all their nodes.
-// Attributes have to be numbers and are otherwise ignored. Indices of simplices follow one by one.
+// elements of second order (6 nodes in the plane, 10 in space) are returned with all their nodes.
+// Attributes have to be numbers and are otherwise ignored. Indices of simplices are consecutive.
 Result<SimplexFile> read_ele(const Source& source, NumberReading reading = NumberReading::kDouble);
 
 // Requires: every simplex has vertices_per_simplex vertices, at least 1.
@@ -59,14 +59,14 @@ void write_ele(std::ostream& out, const SimplexFile& file);
 //
 // TetGen may append the tetrahedra beside each.
 
-// The `vertices` vertices of each, 3 or 2, as written; the markers are its labels. What TetGen appends must be
-// integers, as many on every line, and is otherwise ignored.
+// The `vertices` vertices of each, 3 or 2, as written; the markers are the labels. TetGen's
+// additions must be integers, the same number on every line, and are otherwise ignored.
 Result<SimplexFile> read_face(const Source& source, std::size_t vertices);
 
 // Adds the markers of triangles to others, by their vertices counted from 0, ascending; but not 0.
 void add_markers(const SimplexFile& file, Vertex first_index, std::map<Simplex, Vertex>& markers);
 
-// Without markers. Requires: all simplices have one number of vertices.
+// Writes no markers. Requires: all simplices have the same number of vertices.
 void write_face(std::ostream& out, const SimplexFile& file);
 
 // ---- .neigh ----
@@ -85,15 +85,15 @@ struct NeighborFile {
   friend bool operator==(const NeighborFile&, const NeighborFile&) = default;
 };
 
-// The simplices whose neighbours a file is to list.
+// The simplices whose neighbours a file should list.
 struct ListedSimplices {
   std::size_t count = 0;
   std::size_t vertices = 0;  // of each
   std::string name = {};     // of their file, for messages
 };
 
-// Errors, besides those of the format: there are neighbours of more or fewer simplices, or more or fewer
-// of each, than `simplices` says, if that is given.
+// Errors, besides those of the format: if `simplices` is given, the file has neighbours for more or
+// fewer simplices, or more or fewer for each, than `simplices` says.
 Result<NeighborFile> read_neigh(const Source& source,
                                 const std::optional<ListedSimplices>& simplices = {});
 

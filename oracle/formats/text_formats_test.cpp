@@ -1,4 +1,4 @@
-// The text formats: each as it is written, and what is said of one that is wrong.
+// The text formats: each as it is written, and the messages for files that are wrong.
 #include <sstream>
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@
 namespace circumspect::formats {
 
 // ---- Text formats ----
-// Every text format: what is read, what is refused and with which words.
+// Every text format: what is read, what is refused, and the messages.
 
 namespace {
 
@@ -219,10 +219,11 @@ TEST_CASE("off: the vertices of a face may go on over further lines") {
   REQUIRE_MESSAGE(file, error_of(file));
   CHECK(file->faces.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 1, 2, 3}, {0, 2, 3}});
   CHECK(file->faces.lines == std::vector<std::size_t>{7, 9, 12});
-  // A vertex too few is no such file: it is said of the line on which it is missing.
+  // A missing vertex is not a file of that kind: the message names the line on which it is missing.
   CHECK(off_error(points + "3 0 1\n3 0 1 2\n3 0 2 3\n") ==
         "f:7: expected a face of 3 vertices, found 2");
-  // Behind a face over several lines stands no colour, which would not be told from a vertex.
+  // A face over several lines has no colour after it, because a colour could not be told from a
+  // vertex.
   CHECK(off_error(points + "3 0 1\n2 0.5\n3 0 1 2\n3 0 2 3\n") ==
         "f:7: expected a face of 3 vertices, found 2");
 }

@@ -30,7 +30,7 @@ constexpr std::array kVtkTypes = {
     ElementType{16, 12, ElementShape::kOtherSolid, "a hexagonal prism"},
     ElementType{42, 0, ElementShape::kOtherSolid, "a polyhedron"},
 };
-constexpr Vertex kFirstCurved = 21;  // and those behind it, but for the polyhedron
+constexpr Vertex kFirstCurved = 21;  // and all later ones except the polyhedron
 constexpr Vertex kLastCurved = 81;
 
 }  // namespace
@@ -130,7 +130,7 @@ class VtkReader {
   Status read_header();
   Status read_section(const std::string& keyword);
   Result<NumberType> read_type();
-  // Goes to the numbers of a section: in binary they begin on the next line.
+  // Goes to the numbers of a section; in binary files they begin on the next line.
   void go_to_numbers() {
     if (text_.is_binary()) text_.rest_of_line();
   }
@@ -194,7 +194,7 @@ Status VtkReader::read_points() {
   return read_vtk_points(text_, *type, *count, file_.points.points);
 }
 
-// The number of vertices of each cell, then these.
+// For each cell, the number of its vertices, then the vertices.
 Result<VtkCells> VtkReader::read_rows(std::size_t count, std::size_t size) {
   go_to_numbers();
   VtkCells cells;
@@ -295,7 +295,7 @@ Status VtkReader::skip_fields() {
   return {};
 }
 
-// METADATA goes on up to an empty line.
+// METADATA ends at an empty line.
 void VtkReader::skip_information() {
   text_.rest_of_line();
   while (text_.bytes_left() > 0 && !text_.rest_of_line().empty()) continue;

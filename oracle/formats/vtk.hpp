@@ -1,4 +1,4 @@
-// Meshes and surfaces in VTK's legacy format, and cells as all formats of VTK have them.
+// Meshes and surfaces in VTK's legacy format, and cells as in all formats of VTK.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace circumspect::formats {
 // ---- VTK cells ----
 // Cells of VTK, in its legacy files and in XML: lists of vertices and a type of each.
 
-// Cells of no type have that of the list of a surface in which they stand.
+// Cells without a type have the type of the surface's list that contains them.
 struct VtkCells {
   std::vector<Simplex> vertices = {};
   std::vector<std::size_t> lines = {};
@@ -27,12 +27,12 @@ inline constexpr Vertex kVtkPolyline = 4;
 inline constexpr Vertex kVtkStrip = 6;
 inline constexpr Vertex kVtkPolygon = 7;
 
-// Adds a cell. What is wrong with its type or its number of vertices comes back: what was expected.
+// Adds a cell. If its type or its number of vertices is wrong, returns what was expected.
 std::optional<std::string> add_vtk_cell(ElementFile& file, Vertex type, Simplex vertices,
                                         std::size_t line);
 
-// Takes cells out of one list of all their vertices: cell i ends before place offsets[i]. Errors, as
-// those of `text`: offsets that go down or beyond the list.
+// Takes cells out of one list of all their vertices: cell i ends before place offsets[i]. Errors,
+// as those of `text`: offsets that go down or beyond the list.
 Result<VtkCells> cells_of(const MixedText& text, const std::vector<Vertex>& offsets,
                           const std::vector<Vertex>& connectivity, std::size_t line);
 

@@ -1,5 +1,5 @@
-// VTK's legacy and XML files: surfaces, several pieces, what is refused and with which words. The forms of
-// the same mesh are in element_formats_test.cpp.
+// VTK's legacy and XML files: surfaces, several pieces, what is refused, and the messages. The
+// forms of the same mesh are in element_formats_test.cpp.
 #include "oracle/formats/vtk.hpp"
 
 #include <doctest/doctest.h>
@@ -128,7 +128,7 @@ TEST_CASE("vtu: points of several pieces follow one another") {
   CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {5, 4, 3}});
   CHECK(error_of(xml(document(piece(kThree, "0 1 3") + piece(kThree, "2 1 0")))) ==
         "f:7: expected a point of this piece in cell 1, found 3");
-  // Of one piece alone it is the mesh's fault.
+  // With only one piece, it is the mesh's fault.
   CHECK(xml(document(piece(kThree, "0 1 3"))));
 }
 
@@ -239,8 +239,7 @@ TEST_CASE("base 64: padding within, blanks, faults") {
 
 namespace {
 
-// Pieces that all have the same points, `count` of them, whose bytes stand once behind the
-// document.
+// `count` pieces that all have the same points, whose bytes are appended to the document once.
 std::string pieces_of_one_array(std::size_t pieces, std::size_t count) {
   std::string text =
       "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"UInt32\">"
@@ -264,7 +263,7 @@ TEST_CASE("vtu: pieces may share an array, but not make a large mesh of a small 
   CHECK(few->points.points.size() == 15000);
   const std::string text = pieces_of_one_array(1000, 10000);
   CHECK(text.size() < 500'000);
-  // 100000 numbers and one for each byte, of which each piece has 30000.
+  // The limit is 100000 numbers and one for each byte; each piece has 30000.
   const std::size_t most = 100'000 + text.size();
   CHECK(error_of(read_vtu({"f", text}, kDouble)) ==
         "f:" + std::to_string(2 + most / 30'000) + ": expected at most " + std::to_string(most) +
@@ -283,7 +282,7 @@ TEST_CASE("vtk: a fault behind binary numbers is named by its byte and its secti
     return error_of(read_vtk({"f", text}, kDouble));
   };
   const std::string text = points("\nIVITY vtktypeint64\n");
-  // The numbers of the points are 24 ends of lines, as an editor sees it.
+  // For an editor, the numbers of the points contain 24 line ends.
   CHECK(read(text) == "f:31: expected CONNECTIVITY, found \"IVITY\" at byte " +
                           std::to_string(text.find("IVITY")) + ", in CELLS");
   const std::string cut = points("\nCONNECTIVITY vtktypeint64\n\1");

@@ -41,7 +41,7 @@ class VtuReader {
   std::unique_ptr<VtuDocument> document_;
   ElementFile file_;
   std::size_t points_before_ = 0;           // of other pieces
-  std::optional<std::size_t> points_here_;  // of this one, if there are others
+  std::optional<std::size_t> points_here_;  // of this piece, if there are others
 };
 
 Status expect_end_of(VtuDocument::Array& array, const std::string& what) {

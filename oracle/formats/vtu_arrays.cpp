@@ -52,13 +52,13 @@ namespace {
 constexpr std::string_view kAppended = "<AppendedData";
 
 // How many numbers a file may have: so many in any case, and more for each of its bytes. A number
-// has a byte at least. Where zlib has packed them, those of meshes have about two bytes each, even
-// if cells and points are in rows.
+// has at least one byte. If zlib has packed them, the numbers of meshes take about two bytes each,
+// even if cells and points are in rows.
 constexpr std::size_t kNumbersOfSmallFile = 100'000;
 constexpr std::size_t kNumbersPerByte = 1;
 constexpr std::size_t kNumbersPerPackedByte = 12;
 
-// Where the bytes stand that are not XML; none: begin is the end of the text.
+// The bytes that are not XML; if there are none, begin is the end of the text.
 struct Appended {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -182,7 +182,7 @@ Status VtuDocument::take_numbers(pugi::xml_node node, std::size_t bytes, std::si
               "more, with this array (one that several pieces share counts for each of them)");
 }
 
-// Behind one length: so many bytes.
+// After one length, so many bytes follow.
 Result<std::string> VtuDocument::decode(pugi::xml_node node, std::string_view stored,
                                         bool is_base64, std::size_t bytes_each) {
   const auto head = first_bytes(stored, is_base64, size_of_lengths_);
@@ -203,7 +203,8 @@ Result<std::string> VtuDocument::decode(pugi::xml_node node, std::string_view st
   return std::move(*bytes);
 }
 
-// Behind the number of blocks, their size, that of the last and the size of each when compressed.
+// After the number of blocks: their size, the size of the last one, and the compressed size of
+// each.
 Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view stored,
                                          bool is_base64, std::size_t bytes_each) {
   const std::size_t most = stored.size();  // base 64 never holds more

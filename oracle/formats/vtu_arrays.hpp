@@ -1,5 +1,5 @@
-// Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind
-// the document.
+// Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
+// document.
 #pragma once
 
 #include <cstddef>
@@ -16,25 +16,25 @@
 namespace circumspect::formats {
 
 // ---- Base64 ----
-// Bytes in base 64, as many as are wanted.
+// Decodes the wanted number of bytes from base 64.
 
 // The first `count` bytes, or fewer if the text ends before. Blanks and ends of lines are skipped.
-// Padding ends four characters early and others may follow, as where two texts stand one behind the
-// other. None: a character of no meaning comes first, or the text ends among four.
+// Padding ends a group of four characters early, and further groups may follow, as when two texts
+// are concatenated. Nothing if an invalid character comes first, or the text ends within a group.
 std::optional<std::string> decode_base64(std::string_view text, std::size_t count);
 
 // ---- VTU arrays ----
-// Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind the
-// document, as they are or in base 64, compressed by zlib or not.
+// Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
+// document, raw or in base 64, compressed by zlib or not.
 
 // Without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
-// The document, and the bytes that are behind it.
+// The document, and the bytes after it.
 class VtuDocument {
  public:
-  // Errors: no XML; attributes of the element VTKFile that say what is not read. Requires: the source
-  // outlives this object.
+  // Errors: the file is not XML; the attributes of the element VTKFile name a variant that is not
+  // read. Requires: the source outlives this object.
   static Result<std::unique_ptr<VtuDocument>> parse(const Source& source, NumberReading reading);
 
   pugi::xml_node root() const { return document_.child("VTKFile"); }
@@ -44,16 +44,17 @@ class VtuDocument {
   // An error about an element.
   tl::unexpected<FormatError> fail(pugi::xml_node node, std::string expected,
                                    std::string found) const;
-  // An attribute that is a count; blanks may stand around it, as VTK reads it.
+  // An attribute that is a count; it may have blanks around it, as VTK allows.
   Result<std::size_t> count(pugi::xml_node node, const char* attribute) const;
 
   // The numbers of a DataArray. They are read by `text`.
   struct Array {
     NumberType type;
-    std::unique_ptr<std::string> bytes;  // where `text` looks at, unless that is the document
+    std::unique_ptr<std::string> bytes;  // the text that `text` reads, unless that is the document
     MixedText text;
   };
-  // Errors: also, more numbers in all arrays that were asked for than a file of this size can have.
+  // Errors include more numbers, in all arrays that were asked for, than a file of this size can
+  // have.
   Result<Array> array(pugi::xml_node node);
 
  private:
@@ -70,7 +71,7 @@ class VtuDocument {
   const Source& source_;
   NumberReading reading_;
   pugi::xml_document document_;
-  std::string_view appended_ = {};  // behind the '_' of AppendedData
+  std::string_view appended_ = {};  // after the '_' of AppendedData
   bool is_appended_base64_ = false;
   ByteOrder order_ = ByteOrder::kLittleEndian;
   std::size_t size_of_lengths_ = 4;  // of those in front of bytes

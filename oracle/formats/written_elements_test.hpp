@@ -1,5 +1,5 @@
-// For tests: one mesh of elements in every form of every format, as other programs write it. All must be read and
-// judged alike.
+// For tests: one mesh of elements in every form of every format, as other programs write it. All
+// must be read and judged alike.
 #pragma once
 
 #include <bit>
@@ -26,7 +26,7 @@ struct WrittenMesh {
 struct WrittenForm {
   std::string name;       // "gmsh 4.1, big-endian"
   std::string extension;  // ".msh"
-  bool has_faces = true;  // else it has the tetrahedra alone
+  bool has_faces = true;  // else it has only the tetrahedra
   std::string text = {};
 };
 
@@ -39,7 +39,7 @@ inline std::string stored(std::uint64_t value, std::size_t size, ByteOrder order
   return text;
 }
 
-// Numbers as they follow one another: in text with a blank behind each, or in binary.
+// Consecutive numbers: in text with a blank after each, or in binary.
 class NumberWriter {
  public:
   explicit NumberWriter(std::optional<ByteOrder> binary) : binary_(binary) {}
@@ -82,7 +82,7 @@ inline std::string gmsh_header(const std::string& version, std::optional<ByteOrd
       .text;
 }
 
-// Nodes stand in reverse.
+// Nodes are in reverse order.
 inline std::string gmsh_2(const WrittenMesh& mesh, std::optional<ByteOrder> binary) {
   NumberWriter out(binary);
   out.word(gmsh_header("2.2", binary) + "$Nodes\n" + std::to_string(mesh.points.size()) + "\n");
@@ -203,7 +203,8 @@ struct VtuForm {
   std::size_t size_of_lengths = 4;
 };
 
-// What stands in front of the bytes of an array and these: in base 64 they are two texts if compressed.
+// The header of the bytes of an array, and these bytes: in base 64 they are two texts if
+// compressed.
 inline std::string vtu_bytes(const std::string& bytes, const VtuForm& form, bool is_base64) {
   NumberWriter head(form.order);
   std::string body = bytes;
@@ -211,7 +212,7 @@ inline std::string vtu_bytes(const std::string& bytes, const VtuForm& form, bool
     head.integer(bytes.size(), form.size_of_lengths);
     return is_base64 ? base64(head.text + body) : head.text + body;
   }
-  // Blocks of 50 bytes, the last of which may have fewer.
+  // Blocks of 50 bytes; the last one may have fewer.
   constexpr std::size_t kBlock = 50;
   const std::size_t blocks = (bytes.size() + kBlock - 1) / kBlock;
   head.integer(blocks, form.size_of_lengths).integer(kBlock, form.size_of_lengths);

@@ -39,7 +39,8 @@ void append_escaped(std::string& text, char byte) {
   text += kDigits[bits % 16];
 }
 
-// The Unicode Standard, Table 3-7: well-formed UTF-8 byte sequences, none longer than it need be, no surrogates.
+// The Unicode Standard, Table 3-7: well-formed UTF-8 byte sequences, none longer than it need be,
+// no surrogates.
 Character first_character(std::string_view text) {
   if (text.empty()) return {};
   const auto first = static_cast<unsigned char>(text.front());

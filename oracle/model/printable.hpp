@@ -1,5 +1,6 @@
-// Makes names of files and the output of other programs safe to print. Both hold any bytes: a line end would forge
-// a line, an escape sequence would move the cursor, and a byte that is not UTF-8 would break a document.
+// Makes names of files and the output of other programs safe to print. Both hold any bytes: a line
+// end would forge a line, an escape sequence would move the cursor, and a byte that is not UTF-8
+// would break a document.
 #pragma once
 
 #include <string>

@@ -24,8 +24,8 @@ struct NamedValue {
   Rational value;
 };
 
-// The vertex of a mesh that is nearest to where one was expected: far below the size of the mesh, the
-// distance tells rounding from a fault.
+// The vertex of a mesh that is nearest to where one was expected: far below the size of the mesh,
+// the distance tells rounding from a fault.
 struct NearestVertex {
   Vertex vertex;
   Rational squared_distance;
@@ -42,8 +42,9 @@ struct Witness {
   std::vector<NamedValue> values = {};  // the exact values that decide
   std::optional<Ball> ball = {};        // the circumball of the first simplex
   std::optional<Point> point = {};      // a point that decides without being a vertex
-  // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a polygon
-  // by its place in the domain's list; a face of its convex hull by three vertices that span it.
+  // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a
+  // polygon by its place in the domain's list; a face of its convex hull by three vertices that
+  // span it.
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
   std::optional<NearestVertex> nearest = {};  // to the missing cell of the domain
@@ -152,8 +153,8 @@ class Verdict {
   // The vertices themselves (as many as violations are kept) are known before their cells.
   std::optional<SteinerPoints> steiner_points = {};
   std::optional<ExtraVertices> extra_vertices = {};
-  // For a claim about a domain that holds: how many of the listed triangles and edges are faces of no
-  // larger simplex, listed ones included.
+  // For a claim about a domain that holds: how many of the listed triangles and edges are faces of
+  // no larger simplex, listed ones included.
   std::size_t dangling = 0;
 
   // For a claim about a domain that may be moved: how far it was moved. `beyond`: there is no

@@ -39,7 +39,8 @@ std::string point_text(const Point& point) {
   return text + ")";
 }
 
-// The cell of the domain that a witness names: " domain-vertex 3", " segment 3 4", " polygon 2", " hull-face 3 4 5".
+// The cell of the domain that a witness names: " domain-vertex 3", " segment 3 4", " polygon 2", "
+// hull-face 3 4 5".
 std::string cell_text(const Witness& witness, const Domain* domain) {
   std::string text;
   if (domain == nullptr) return text;

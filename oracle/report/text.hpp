@@ -18,9 +18,9 @@ namespace circumspect::report {
 
 // One line, stable: "holds: delaunay x.1.ele 1000 points 6573 tetrahedra unique canonical", or
 // "fails: delaunay x.1.ele delaunay.facet-not-local 3 face 3 7 9 vertex 12": the first broken
-// rule, how often, its first witness, then "also RULE COUNT" for every further rule. A claim about a
-// domain that holds says how many Steiner points there are, if any, and where: "12 steiner-points 5
-// on-segments 4 in-polygons 3 in-polyhedra". `domain` is the one that the claim is about.
+// rule, how often, its first witness, then "also RULE COUNT" for every further rule. A claim about
+// a domain that holds says how many Steiner points there are, if any, and where: "12 steiner-points
+// 5 on-segments 4 in-polygons 3 in-polyhedra". `domain` is the one that the claim is about.
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain = nullptr);
 
@@ -85,8 +85,8 @@ std::string name(check::By by);
 // ---- Rounded up ----
 // Distances for people, never less than they are.
 
-// The square root in two significant digits, rounded up: "2.1e-14"; "0" for zero. As a number it is at least
-// the square root. Requires: squared >= 0.
+// The square root in two significant digits, rounded up: "2.1e-14"; "0" for zero. As a number it is
+// at least the square root. Requires: squared >= 0.
 std::string square_root_rounded_up(const Rational& squared);
 
 }  // namespace circumspect::report

@@ -51,6 +51,13 @@ found=$("$program" "$again/triangle") || true
   echo "the triangle of Definitions.v: found '$found'" >&2
   failures=$((failures + 1))
 }
+# Only around the mesh of a domain may a point be nobody's.
+sed 's/  7$/  -/' "$again/triangle" >"$again/nobodys"
+found=$("$program" "$again/nobodys") || true
+[[ "$found" == "malformed: $again/nobodys:4: expected an integer, found '-'" ]] || {
+  echo "the triangle with a point that is nobody's: found '$found'" >&2
+  failures=$((failures + 1))
+}
 # The same triangle as its user's own files, and as files of other meshes.
 cd "$again"
 users() {  # what is expected, then options, MESH.node and MESH.ele

@@ -44,8 +44,8 @@ let simplex c expected rows =
   done;
   Words.add rows (if Text.read_dash c.source expected then -1 else place c expected)
 
-(* The certificate up to its sample point, and the labels of its points. *)
-let body c claimed =
+(* The certificate up to its sample point, and the labels of its points: none, where it may be that a point is nobody's. *)
+let body ?(some_are_nobodys = false) c claimed =
   let numerator, denominator = scale c in
   let expected = "the coordinates of a point, its simplex, its vertex there and a label" in
   let integer () = Text.read_integer c.source expected in
@@ -55,7 +55,8 @@ let body c claimed =
       let weight = if c.weighted then integer () else Big.zero in
       let home = number c expected in
       let home_vertex = unless_dash c expected in
-      labels := new_label c (integer ()) :: !labels;
+      let is_nobodys = some_are_nobodys && Text.read_dash c.source expected in
+      labels := (if is_nobodys then None else Some (new_label c (integer ()))) :: !labels;
       { position = { coordinates; weight }; home; home_vertex }) in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
   let simplex_count = ref 0 and rows = ref (Words.growing 0) in

@@ -137,7 +137,7 @@ let complex c polygons =
 (* The mesh of a whole hull, and how the domain lies in it; and the labels of its points. *)
 let body c domain_claimed kind =
   let claimed = if domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
-  let packed, labels = Certificate_file.body c claimed in
+  let packed, labels = Certificate_file.body ~some_are_nobodys:true c claimed in
   let whole_mesh = Certificate_file.in_lists (if c.d = 2 then Plane else Space) packed in
   let domain_part = part c in
   let polygons = if c.d = 2 then [] else begin

@@ -170,7 +170,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
       (Printf.sprintf "verified: %s, %s; %s" (domain_claim_name claimed)
-         (counts c.d (List.length whole.points) (List.length simplices)) (described certificate ~is_complex), 0) in
+         (counts c.d (Users_mesh.users_points mesh) (List.length simplices)) (described certificate ~is_complex), 0) in
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 (* The points of a domain that is given without a mesh: its vertices. *)
@@ -178,7 +178,7 @@ let vertices_of d (about : domain_certificate) =
   let whole = about.whole_mesh in
   let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
   { Users_mesh.unit = (whole.numerator, whole.denominator); d; weighted = false;
-    labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites;
+    labels = Array.init (Array.length sites) (fun k -> Some (Big.of_int k)); ordered = false; sites;
     simplices = Users_mesh.listed []; dangling = None }
 
 let impossibility (c : Reading.context) claimed kind =

@@ -15,14 +15,16 @@ let print (mesh : Users_mesh.mesh) =
   let scaled power =
     let factor = unit_to power in
     fun x -> quoted (Q.to_string (Q.mul (Q.of_bigint x) factor)) in
-  let n = Array.length mesh.sites in
-  let order = Array.init n Fun.id in
-  Array.sort (fun k l -> Big.compare mesh.labels.(k) mesh.labels.(l)) order;
-  let place = Array.make n 0 in
+  let label k = Option.get mesh.labels.(k) in
+  let own = List.filter (fun k -> mesh.labels.(k) <> None) (List.init (Array.length mesh.sites) Fun.id) in
+  let order = Array.of_list own in
+  let n = Array.length order in
+  Array.sort (fun k l -> Big.compare (label k) (label l)) order;
+  let place = Array.make (Array.length mesh.sites) 0 in
   Array.iteri (fun i k -> place.(k) <- i) order;
-  let first = if n = 0 then Big.one else mesh.labels.(order.(0)) in
+  let first = if n = 0 then Big.one else label order.(0) in
   let consecutive = Big.fits_int first && n > 0 &&
-    Big.equal mesh.labels.(order.(n - 1)) (Big.add first (Big.of_int (n - 1))) in
+    Big.equal (label order.(n - 1)) (Big.add first (Big.of_int (n - 1))) in
   let first = if consecutive then Big.to_int first else 1 in
   let sites = List.map (fun k -> mesh.sites.(k)) (Array.to_list order) in
   Printf.printf "{\"circumspect\": 1, \"dimension\": %d, \"first_index\": %d,\n\"points\": ["
@@ -35,7 +37,7 @@ let print (mesh : Users_mesh.mesh) =
   end;
   print_string "],\n\"simplices\": [";
   let vertex = function
-    | Some v when v >= 1 && v <= n -> string_of_int (first + place.(v - 1))
+    | Some v when v >= 1 && v <= Array.length place -> string_of_int (first + place.(v - 1))
     | _ -> string_of_int (first + n) in
   print_each mesh.simplices.count (fun k -> listed (List.map vertex (mesh.simplices.vertices k)));
   (match mesh.dangling with

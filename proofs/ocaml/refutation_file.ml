@@ -94,7 +94,7 @@ let mesh c refuted =
       let position, rest = site c expected c.weighted tokens in
       let label, rest = label c expected rest in
       ((position, label), rest)) in
-  let labels = List.rev (List.rev_map snd sites) in
+  let labels = List.rev (List.rev_map (fun (_, label) -> Some label) sites) in
   let sites = List.rev (List.rev_map fst sites) in
   let rows = section c "simplices" "a simplex" (simplex c) in
   let expected, tokens = line c "spans" "POINTS" in

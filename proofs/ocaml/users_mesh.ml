@@ -17,22 +17,28 @@ type mesh = {
   d : int;
   weighted : bool;
   sites : site array;
-  labels : Big.t array;
+  labels : Big.t option array;       (* none, of a point that is nobody's *)
   simplices : simplices;
   ordered : bool;                    (* are the vertices of a simplex in the user's order? *)
   dangling : int option list list option;  (* of a domain's mesh: all that is listed and is a face of no simplex *)
 }
 
+let users_points mesh =
+  Array.fold_left (fun n label -> if label = None then n else n + 1) 0 mesh.labels
+
 (* Which point the user calls so, counted from 0. *)
 let numbering labels =
   let n = Array.length labels in
-  let least = Array.fold_left Big.min (if n = 0 then Big.zero else labels.(0)) labels in
+  let least = Array.fold_left (fun least label -> match least, label with
+      | Some a, Some b -> Some (Big.min a b)
+      | None, one | one, None -> one) None labels in
+  let least = Option.value least ~default:Big.zero in
   let place label = let i = Big.sub label least in if Big.fits_int i then Big.to_int i else -1 in
   let dense = Array.make (4 * n) (-1) in
   let others = Hashtbl.create 16 in
-  Array.iteri (fun k label ->
+  Array.iteri (fun k -> Option.iter (fun label ->
       let i = place label in
-      if i >= 0 && i < 4 * n then dense.(i) <- k else Hashtbl.replace others label k) labels;
+      if i >= 0 && i < 4 * n then dense.(i) <- k else Hashtbl.replace others label k)) labels;
   fun label ->
     let i = place label in
     if i >= 0 && i < 4 * n then dense.(i) else Option.value (Hashtbl.find_opt others label) ~default:(-1)
@@ -65,8 +71,8 @@ let compare_points ~exactly mesh source =
       skip_numbers ~exactly source (if mesh.weighted then header.(2) - 1 else header.(2));
       skip_markers source header.(3));
   end_of_file source;
-  if header.(0) <> Array.length mesh.sites then
-    differs source "expected %d points, found %d" (Array.length mesh.sites) header.(0);
+  let own = users_points mesh in
+  if header.(0) <> own then differs source "expected %d points, found %d" own header.(0);
   number_of
 
 (* Of as many as a row has: they are few. *)

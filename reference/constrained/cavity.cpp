@@ -17,7 +17,7 @@ namespace circumspect::constrained {
 namespace {
 
 // A point in the relative interior of the section of the simplex with the plane of the polygon: the
-// mean of the section's corners. Requires: the polygon parts the simplex.
+// mean of the section's corners. Requires: the polygon's plane divides the simplex.
 Point point_of_section(const PolygonInSpace& polygon, const Simplex& simplex) {
   std::vector<Point> corners;
   for (const Vertex v : simplex) {
@@ -142,7 +142,7 @@ std::set<Simplex> facets_included_in(const StarIndex& tetrahedra, const PolygonI
 
 namespace {
 
-// Finish: a candidate counts if its simplex with the facet is clear of all facets of the cavity.
+// Finish: a candidate counts if no facet of the cavity reaches into its simplex with the facet.
 std::optional<Vertex> apex_in_cavity(const PointSet& points, const Cavity& cavity,
                                      const std::vector<OrientedFacet>& cavity_facets,
                                      const OrientedFacet& facet) {

@@ -165,18 +165,20 @@ class FlipInsertPolygon {
     done_.flips.push_back(std::move(flip));
   }
 
-  // What is wrong at time ∞, if anything is; then the flips are taken back.
+  // The fault at time ∞, if there is one; then the flips are undone.
   //
-  // If no event is left, the polygon is not crossed. For let u be linear on each tetrahedron, 0 at
-  // vertices left of h and on it, d(v, h) at those right of it. No facet that the polygon parts has an
-  // event to come, so u is convex across all of these. Where the polygon is crossed, u is positive on
-  // it somewhere, and greatest where an edge crosses it; about that point u is convex and so constant
-  // on h, and about all points to which this spreads. But u = 0 on the segments of the polygon.
+  // If no event is left, the polygon is not crossed. Proof: let u be linear on each tetrahedron, 0
+  // at vertices left of h and on it, d(v, h) at those right of it. No facet that the polygon
+  // divides has an event to come, so u is convex across all of these. Where the polygon is crossed,
+  // u is positive on it somewhere, and greatest where an edge crosses it; about that point u is
+  // convex and so constant on h, and about all points to which this spreads. But u = 0 on the
+  // segments of the polygon.
   //
-  // Nor has any wall or segment been lost. All that a flip deletes has a face A, which it exchanges for
-  // B, the other Radon part. Were A in a closed half-space of h, its u at the common point would be d
-  // or 0, and no greater than that of B, so A would stay below and there would be no event. And a wall
-  // or segment with vertices on both sides does not come near the polygon's interior.
+  // Nor has any wall or segment been lost. All that a flip deletes has a face A, which it exchanges
+  // for B, the other Radon part. Were A in a closed half-space of h, its u at the common point
+  // would be d or 0, and no greater than that of B, so A would stay below and there would be no
+  // event. And a wall or segment with vertices on both sides does not come near the polygon's
+  // interior.
   std::optional<NoChange> finish() {
     std::optional<NoChange> wrong;
     if (!queue_.empty()) wrong = NoChange{WhyNoChange::kFlipBlocked, queue_.begin()->facet};
@@ -195,14 +197,14 @@ class FlipInsertPolygon {
   EvolvingCdt& cdt_;
   const PolygonInSpace& polygon_;
   std::vector<Simplex> before_;  // the tetrahedra of the region R at time 0
-  std::set<Simplex> now_;        // those it has now
+  std::set<Simplex> now_;        // the current ones
   std::set<Event> queue_;
   PolygonFlips done_;
 };
 
-// Triangles of which the polygon is the union, and which are facets of the CDT if the polygon is there
-// already: those of its planar CDT (Proposition 4.11). Of many vertices that takes longer than to see
-// that some other triangles are not there.
+// Triangles whose union is the polygon, and which are facets of the CDT if the polygon is already
+// there: those of its planar CDT (Proposition 4.11). For many vertices, computing these takes
+// longer than seeing that some other triangles are not there.
 std::vector<Simplex> likely_tiles(const PointSet& points, const Polygon& polygon) {
   constexpr std::size_t kFew = 16;
   const bool is_small = polygon.triangles.size() > 1 && polygon.vertices.size() <= kFew;

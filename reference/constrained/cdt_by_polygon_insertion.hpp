@@ -20,10 +20,10 @@ namespace circumspect::constrained {
 // Inserting a polygon into a CDT by bistellar flips. Book: Section 5.8, FlipInsertPolygon and
 // Certify.
 
-// When a facet of a triangulation with rising vertices ceases to be locally Delaunay: a time κ with
-// its infinitesimal part (Section 2.9, and Exercise 2 of Chapter 3, for the perturbation): under
-// the canonical perturbation, which gives the vertices weights ω_1 ≫ ω_2 ≫ … > 0 in lexicographic
-// order of the vertices, every time is linear in them.
+// The time κ, with its infinitesimal part, when a facet of a triangulation with rising vertices
+// ceases to be locally Delaunay (Section 2.9, and Exercise 2 of Chapter 3, for the perturbation):
+// under the canonical perturbation, which gives the vertices weights ω_1 ≫ ω_2 ≫ … > 0 in
+// lexicographic order of the vertices, every time is linear in them.
 struct EventTime {
   Rational standard;
   // The rank of a vertex and the coefficient of its ω, which is not zero; ascending ranks.
@@ -41,8 +41,8 @@ struct EventTime {
 // With Σ_v c_v p_v = 0 = Σ_v c_v the affine dependence of the five vertices, c negative at the
 // apex, the apex is below aff σ⁺ iff Σ_v c_v z_v(κ) > 0. The height z_v(κ) = |v|² − ω_v +
 // κ d(v, h), where the last term only counts for the vertices right of h, makes that an affine
-// function of κ, whose slope Σ c_v d(v, h) says what happens at time ∞. (If the slope is zero, all stays as it
-// is at time 0, when the facet is locally Delaunay.)
+// function of κ, whose slope Σ c_v d(v, h) says what happens at time ∞. (If the slope is zero, all
+// stays as it is at time 0, when the facet is locally Delaunay.)
 //
 // Its zero −(Σ c_v |v|²) / slope + Σ (c_v / slope) ω_v tells the dependence up to a factor. So two
 // events have equal times iff they have the same dependence, and belong to one and the same flip:
@@ -55,26 +55,25 @@ struct TimedFlip {
   delaunay::ExtendedFlip flip;
 };
 
-// What an insertion did.
+// The record of an insertion.
 struct PolygonFlips {
   std::size_t vertices = 0;      // m, of the region R: the union of the crossed tetrahedra
   std::vector<TimedFlip> flips;  // as they were performed
-  // How often an event was passed over for a later one, because its flip was inadmissible. Only
-  // where that never happens does Proposition 5.5 apply, by which there are fewer than m² flips:
-  // its proof, that no edge returns, needs each facet to go at the very time at which it ceases to
-  // be locally weighted Delaunay.
+  // How often an event was skipped for a later one, because its flip was inadmissible. Proposition
+  // 5.5, by which there are fewer than m² flips, applies only if that never happens: its proof,
+  // that no edge returns, needs each facet to go at the very time at which it ceases to be locally
+  // weighted Delaunay.
   std::size_t held_back = 0;
 };
 
-// FlipInsertPolygon(T, f): makes the CDT of P that of P ∪ {f}, or says why it cannot be done, and
-// then nothing has changed. A polygon whose facets are all there already takes no flip.
+// FlipInsertPolygon(T, f): turns the CDT of P into that of P ∪ {f}, or says why this is impossible
+// and changes nothing. A polygon whose facets are all there already takes no flip.
 //
 // All heights are perturbed, not only those at time 0. Events are therefore never simultaneous,
 // unless they belong to one flip, and their flips are admissible where P ∪ {f} has a CDT because P
-// is edge-protected. Inadmissible flips are held back all the same, as the book demands.
-// Requires: the CDT is that of a PLC P in which all vertices of the points that are in f are
-// vertices, and P ∪ {f} is a valid PLC; it fills a convex hull, so that f does not leave it, which
-// is asserted.
+// is edge-protected. Inadmissible flips are still held back, as the book demands. Requires: the CDT
+// is that of a PLC P in which all vertices of the points that are in f are vertices, and P ∪ {f} is
+// a valid PLC; it fills a convex hull, so that f does not leave it, which is asserted.
 tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points, EvolvingCdt& cdt,
                                                          const Polygon& polygon);
 
@@ -84,9 +83,9 @@ tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points,
 
 enum class PolygonInsertion { kFlips, kCavities };
 
-// What stands in the way, and which polygon was to be inserted; without polygon, a segment that is
-// not an edge of the canonical Delaunay triangulation of the vertices. Neither says that there is
-// no CDT: some of the polygons may have none though all of them have one.
+// The obstacle, and the polygon that was to be inserted; without polygon, a segment that is not an
+// edge of the canonical Delaunay triangulation of the vertices. Neither implies that there is no
+// CDT: a subset of the polygons may have none although all of them together have one.
 struct NoPolygonInsertion {
   NoChange cause;
   std::optional<std::size_t> polygon;
@@ -100,16 +99,16 @@ struct PolygonInsertionOptions {
 
 // The canonical CDT of the complex. It is found whenever all segments are in the canonical Delaunay
 // triangulation of the vertices, in particular if the complex is edge-protected (Theorem 4.9), for
-// then every subset of the polygons has a CDT too. `runs` receives what each insertion by flips
-// did, in the order of insertion.
-// Requires: a complex in space, valid; the order is empty or names each polygon once.
-// Throws tl::bad_expected_access if points of one plane turn out to have no CDT, which they always do.
+// then every subset of the polygons has a CDT too. `runs` receives the record of each insertion by
+// flips, in the order of insertion. Requires: a complex in space, valid; the order is empty or
+// names each polygon once. Throws tl::bad_expected_access if coplanar points turn out to have no
+// CDT; in fact they always have one.
 tl::expected<PlcTriangulation, NoPolygonInsertion> cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
     std::vector<PolygonFlips>* runs = nullptr);
 
-// The CDT of the convex hull with all segments, and with the polygons in it, whatever the kind of the
-// domain. Requires: as above, and complex.points.dimension() == 3.
+// The CDT of the convex hull with all segments, and with the polygons in it, whatever the kind of
+// the domain. Requires: as above, and complex.points.dimension() == 3.
 tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
     std::vector<PolygonFlips>* runs = nullptr);

@@ -33,7 +33,7 @@ bool is_in_triangle(const std::vector<std::size_t>& axes, const std::vector<Poin
   return least >= 0 || greatest <= 0;
 }
 
-// Multiples of the step are the numbers allowed; the nearest one.
+// The nearest multiple of the step; only multiples are allowed.
 Rational rounded(const Rational& value, const Rational& step) {
   const Rational half_up = value / step + Rational(1, 2);
   Integer floor;
@@ -79,8 +79,8 @@ bool is_in_polygon(const PointSet& points, const Polygon& polygon, const Point& 
                      });
 }
 
-// With a step h on the axes the point moves by h/2 or less along each of the unit steps e and f. That
-// is a quarter of the radius or less in all if h² · 2 (|e|² + |f|²) ≤ r²/4.
+// With a step h on the axes, the point moves by at most h/2 along each of the unit steps e and f.
+// In all, that is at most a quarter of the radius if h² · 2 (|e|² + |f|²) ≤ r²/4.
 Point near_circumcentre(const PointSet& points, const Polygon& polygon, const Ball& circumball) {
   const std::vector<Point> units =
       unit_steps(polygon.axes, coordinates(points, polygon.triangles.front()));
@@ -172,7 +172,7 @@ class Refinement {
     }
   }
 
-  // Does what one polygon needs.
+  // Does what a single polygon needs.
   void refine(const StarIndex& canonical, std::size_t i, std::set<Simplex>& to_split) {
     const Polygon& polygon = complex_.polygons[i];
     std::vector<Simplex> missing = subfacets(points_, polygon, vertices_[i]);
@@ -215,8 +215,8 @@ class Refinement {
     return own;
   }
 
-  // Those subsegments whose closed diametral balls contain the point; or else, if it is outside the
-  // polygon, one that is between it and the subfacet.
+  // The subsegments whose closed diametral balls contain the point; if there are none and it is
+  // outside the polygon, one that is between it and the subfacet.
   std::vector<Simplex> subsegments_in_the_way(const Polygon& polygon,
                                               const std::vector<Simplex>& subsegments,
                                               const Simplex& subfacet,

@@ -1,5 +1,5 @@
-// A conforming (Steiner) Delaunay triangulation, and the triangles of which its polygons are
-// unions. Book: Definition 4.5, Section 4.5.3.
+// A conforming (Steiner) Delaunay triangulation, and the triangles whose unions are its polygons.
+// Book: Definition 4.5, Section 4.5.3.
 #pragma once
 
 #include <vector>
@@ -14,26 +14,26 @@
 namespace circumspect::constrained {
 
 // ---- Subfacets ----
-// The triangles of which a polygon is to be the union. Book: Section 4.5.3 ("every polygon is a union
+// The triangles whose union a polygon must become. Book: Section 4.5.3 ("every polygon is a union
 // of Delaunay (preferably strongly Delaunay) triangles").
 
-// The triangles of the canonical Delaunay triangulation of some points of the polygon that are in it.
-// If the segments of the polygon are unions of edges, so is the polygon of these; and a triangulation
-// of more points under the canonical perturbation, of which the polygon is a union of triangles, has
-// these and no other triangles in it.
-// Requires: `vertices` are the polygon's, and others that have been added in it.
+// The triangles of the canonical Delaunay triangulation of some points of the polygon that are in
+// it. If the segments of the polygon are unions of edges, the polygon is the union of these
+// triangles. If the polygon is a union of triangles of a triangulation of more points under the
+// canonical perturbation, these are the triangles in it. Requires: `vertices` are the polygon's,
+// and others that have been added in it.
 std::vector<Simplex> subfacets(const PointSet& points, const Polygon& polygon,
                                const std::vector<Vertex>& vertices);
 
 // Does the polygon contain this point of its plane?
 bool is_in_polygon(const PointSet& points, const Polygon& polygon, const Point& point);
 
-// A point in the plane of the polygon, a quarter of the circumradius or less from the circumcentre of
-// the triangle. Its coordinates on the polygon's axes are dyadic and as short as that allows: exact
-// circumcentres of triangles of circumcentres would soon have thousands of digits.
+// A point in the plane of the polygon, at most a quarter of the circumradius from the circumcentre
+// of the triangle. Its coordinates on the polygon's axes are dyadic and as short as that allows:
+// exact circumcentres of triangles of circumcentres would soon have thousands of digits.
 Point near_circumcentre(const PointSet& points, const Polygon& polygon, const Ball& circumball);
 
-// Do two segments in the plane of the polygon have a point in common?
+// Do two segments in the plane of the polygon have a common point?
 bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& b, const Point& c,
              const Point& d);
 
@@ -46,20 +46,19 @@ struct ConformingDelaunay {
   std::vector<PointInPolygon> in_polygons;
 };
 
-// Adds vertices until every segment is a union of edges, and every polygon of triangles, of the
-// canonical Delaunay triangulation of all vertices. (Under the perturbation these are strongly
-// Delaunay.) Then what of that triangulation is in the domain is a Steiner Delaunay triangulation
+// Adds vertices until every segment is a union of edges, and every polygon a union of triangles, of
+// the canonical Delaunay triangulation of all vertices. (Under the perturbation these are strongly
+// Delaunay.) Then the part of that triangulation in the domain is a Steiner Delaunay triangulation
 // of the complex.
 //
-// In the plane, splitting segments as in steiner_cdt.hpp is all there is to it, and always
-// ends.
+// In the plane, splitting segments as in steiner_cdt.hpp suffices, and always ends.
 //
 // In space, that comes first. Then a polygon is a union of the Delaunay triangles of the vertices
 // in it, the subfacets. If a subfacet is missing from the Delaunay triangulation in space, the
 // segments of its polygon are split until the diametral balls of their subsegments are empty. If it
-// is missing all the same, a point near its circumcentre is added to the polygon. But if that point
-// would be in the diametral ball of a subsegment of a segment of the polygon, or outside the
-// polygon, then the subsegment that is in the way is split instead.
+// is still missing, a point near its circumcentre is added to the polygon. But if that point would
+// be in the diametral ball of a subsegment of a segment of the polygon, or outside the polygon,
+// then the subsegment that is in the way is split instead.
 //
 // That ends where no two cells meet at an angle below 90°. Let the subsegments of the polygon's
 // segments have empty diametral balls; sooner or later they do, see steiner_cdt.hpp. A
@@ -74,8 +73,7 @@ struct ConformingDelaunay {
 // Cells that meet at smaller angles may add points to each other for ever; therefore the limit.
 // "There are algorithms that can find a Steiner Delaunay tetrahedralization of any
 // three-dimensional polyhedron, but they might introduce a superpolynomial number of new vertices":
-// this is none of them.
-// Requires: the complex is valid.
+// this is not one of them. Requires: the complex is valid.
 tl::expected<ConformingDelaunay, SteinerLimitReached> conforming_delaunay(
     const PiecewiseLinearComplex& complex, std::size_t most_steiner_points);
 

@@ -22,7 +22,7 @@ Simplex link_vertices(const std::vector<Simplex>& star, const Simplex& edge) {
   return {vertices.begin(), vertices.end()};
 }
 
-// Does the closed diametral ball of the edge contain none of these vertices?
+// Is the closed diametral ball of the edge free of these vertices?
 bool is_diametral_ball_clear_of(const PointSet& points, const Simplex& edge,
                                 const Simplex& others) {
   return std::all_of(others.begin(), others.end(), [&](Vertex q) {
@@ -30,12 +30,12 @@ bool is_diametral_ball_clear_of(const PointSet& points, const Simplex& edge,
   });
 }
 
-// Whether an edge of the triangulation is strongly Delaunay, its link decides. For let a hyperplane
-// through the two lifted ends pass (strictly) below the lifted vertices of the link. Then it passes
-// (strictly) below the lifted simplices of the star, which are the lower hull near the edge; and as
-// the lower hull is convex, it passes (strictly) below all of it. What it touches in the second
-// case is the edge alone: a point of contact off the edge would be joined to the middle of the edge
-// by points of contact.
+// The link of an edge of the triangulation decides whether it is strongly Delaunay. Let a
+// hyperplane through the two lifted ends pass (strictly) below the lifted vertices of the link.
+// Then it passes (strictly) below the lifted simplices of the star, which are the lower hull near
+// the edge; and as the lower hull is convex, it passes (strictly) below all of it. In the second
+// case it touches only the edge: a point of contact off the edge would be joined to the middle of
+// the edge by points of contact.
 SimplexDelaunayhood of_present_edge(const PointSet& points, const std::vector<Simplex>& star,
                                     const Simplex& edge) {
   const Simplex link = link_vertices(star, edge);
@@ -84,12 +84,12 @@ std::pair<Simplex, std::vector<Rational>> first_simplex_towards(const PointSet& 
   return {};
 }
 
-// With σ the simplex into which ab sets out, b − a = Σ μ (x − a) over the other vertices x of σ, and
-// M = Σ μ, the point Σ (μ/M) x is on the line of ab. The sum of the powers, Σ (μ/M) power(x), has the
-// sign of the height of the lower hull less that of the lifted segment, just after a. The former is
-// a convex function, and equal to the latter in the ends; so it is smaller in between or equal
-// throughout. If it is smaller, no circumball is empty. If it is equal, b⁺ lies on the witness plane
-// of σ, and the open circumball of σ is one of ab.
+// With σ the simplex into which ab sets out, b − a = Σ μ (x − a) over the other vertices x of σ,
+// and M = Σ μ, the point Σ (μ/M) x is on the line of ab. The sum of the powers, Σ (μ/M) power(x),
+// has the sign of the height of the lower hull less that of the lifted segment, just after a. The
+// former is a convex function, and equal to the latter in the ends; so it is smaller in between or
+// equal throughout. If it is smaller, no circumball is empty. If it is equal, b⁺ lies on the
+// witness plane of σ, and the open circumball of σ is one of ab.
 SimplexDelaunayhood of_missing_edge(const PointSet& points, const StarIndex& canonical,
                                     const Simplex& edge) {
   const auto [simplex, coefficients] = first_simplex_towards(points, canonical, edge[0], edge[1]);
@@ -144,7 +144,7 @@ std::optional<Vertex> encroaching_vertex(const PointSet& points,
   if (!protection.status.obstruction) return std::nullopt;
   const Ball diametral = circumball(points, protection.segment);
   const Simplex& suspects = protection.status.obstruction->points;
-  // Their powers have a mean of zero or less.
+  // The mean of their powers is at most zero.
   return *std::min_element(suspects.begin(), suspects.end(), [&](Vertex p, Vertex q) {
     return power(points, diametral, p) < power(points, diametral, q);
   });

@@ -16,15 +16,15 @@ namespace circumspect::constrained {
 struct SegmentProtection {
   Simplex segment;
   bool is_present = false;  // is it an edge of the canonical Delaunay triangulation?
-  // Delaunay or strongly so, with the ball; or not (strongly), with the obstruction: points of which
-  // every open (closed) circumball of the segment contains one.
+  // Delaunay or strongly so, with the ball; or not (strongly) Delaunay, with the obstruction:
+  // points such that every open (closed) circumball of the segment contains one of them.
   delaunay::SimplexDelaunayhood status;
 };
 
-// One for each segment, in the order given. All that is asked of the canonical Delaunay triangulation
-// of the points is the star of each segment or of one of its ends; so thousands of segments do not
-// take much longer than the triangulation itself.
-// Requires: points without weights; segments are pairs of them.
+// One for each segment, in the order given. It only needs the star of each segment, or of one of
+// its ends, in the canonical Delaunay triangulation of the points, so thousands of segments do not
+// take much longer than the triangulation itself. Requires: points without weights; segments are
+// pairs of them.
 std::vector<SegmentProtection> edge_protection(const PointSet& points,
                                                const StarIndex& canonical_delaunay,
                                                const std::vector<Simplex>& segments,
@@ -32,8 +32,8 @@ std::vector<SegmentProtection> edge_protection(const PointSet& points,
 std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex,
                                                const Progress& progress = {});
 
-// A point of the obstruction that the diametral ball of the segment contains; nothing if the segment
-// is strongly Delaunay.
+// A point of the obstruction that the diametral ball of the segment contains; nothing if the
+// segment is strongly Delaunay.
 std::optional<Vertex> encroaching_vertex(const PointSet& points,
                                          const SegmentProtection& protection);
 
@@ -41,24 +41,24 @@ std::optional<Vertex> encroaching_vertex(const PointSet& points,
 bool is_strongly_delaunay_edge(const PointSet& points, const StarIndex& canonical_delaunay,
                                const Simplex& edge);
 
-// Does the closed diametral ball of the edge contain no point but its ends? (Such an edge is strongly
-// Delaunay; not every strongly Delaunay edge is such.)
+// Does the closed diametral ball of the edge contain no point except its ends? (Such an edge is
+// strongly Delaunay, but not every strongly Delaunay edge has this property.)
 bool has_empty_diametral_ball(const PointSet& points, const StarIndex& canonical_delaunay,
                               const Simplex& edge);
 
 // Two readings of "A three-dimensional PLC P is edge-protected if every edge in P is strongly
 // Delaunay": as it stands, and with "the symbolic perturbations … used to make the vertices in P
 // generic", when every edge of the canonical Delaunay triangulation is strongly Delaunay. The first
-// implies the second, for a strongly Delaunay edge is in every Delaunay triangulation (Proposition
-// 4.2). In the plane both make sense too.
+// implies the second, because a strongly Delaunay edge is in every Delaunay triangulation
+// (Proposition 4.2). In the plane both make sense too.
 bool is_edge_protected(const PiecewiseLinearComplex& complex);
 bool is_edge_protected_under_perturbation(const PiecewiseLinearComplex& complex);
 
-// The same, of all segments of a complex as `edge_protection` has found them.
+// The same for all segments of a complex, given the results of `edge_protection`.
 bool is_edge_protected(const std::vector<SegmentProtection>& segments);
 bool is_edge_protected_under_perturbation(const std::vector<SegmentProtection>& segments);
 
-// The canonical Delaunay triangulation of any points, ready to be asked for stars.
+// The canonical Delaunay triangulation of any points, with access to stars.
 StarIndex canonical_delaunay(const PointSet& points, const Progress& progress = {});
 
 }  // namespace circumspect::constrained

@@ -23,8 +23,8 @@ namespace circumspect::constrained {
 
 namespace {
 
-// A point of the facet by its barycentric coordinates; an affine function on the facet by its values
-// at the vertices.
+// A point of the facet by its barycentric coordinates; an affine function on the facet by its
+// values at the vertices.
 using OnFacet = Point;
 
 // The part of a convex polygon where the function is not negative. (A segment is a polygon with two
@@ -56,8 +56,8 @@ bool is_all_on_one_side(const std::vector<int>& sides) {
          std::all_of(sides.begin(), sides.end(), [](int side) { return side >= 0; });
 }
 
-// Does a hyperplane through a facet of the simplex, or through the facet itself, tell that they are
-// apart? Mostly one does, and signs are cheaper than numbers.
+// Does a hyperplane through a facet of the simplex, or through the facet itself, separate them?
+// Mostly one does, and signs are cheaper than numbers.
 bool is_apart(const Configuration& configuration, std::span<const std::size_t> axes,
               const Simplex& simplex, int own, const Simplex& facet) {
   for (std::size_t place = 0; place < simplex.size(); ++place) {
@@ -68,7 +68,7 @@ bool is_apart(const Configuration& configuration, std::span<const std::size_t> a
     if (is_beyond) return true;
   }
   if (facet.size() < axes.size()) return false;
-  if (facet.size() < simplex.size() - 1) return false;  // It has no hyperplane.
+  if (facet.size() < simplex.size() - 1) return false;  // It does not span a hyperplane.
   std::vector<int> sides;
   for (const Vertex v : simplex) {
     Simplex joined = facet;
@@ -243,8 +243,8 @@ class SpatialWrapping {
     return std::nullopt;
   }
 
-  // Is some vertex in front visible from the facet? Then the tetrahedron that should be there, with the
-  // first such vertex, is crossed by a polygon.
+  // Is some vertex in front visible from the facet? Then the tetrahedron that should be there, with
+  // the first such vertex, is crossed by a polygon.
   NoCdt why_unfinished(const OrientedFacet& facet) const {
     const Regions regions(complex_);
     if (respects(complex_, regions, facet.vertices)) {
@@ -263,7 +263,7 @@ class SpatialWrapping {
     return {WhyNoCdt::kFacetUnfinished, facet.vertices, {}};
   }
 
-  // Is what the wrapping has found a CDT?
+  // Is the result of the wrapping a CDT?
   std::optional<NoCdt> what_is_wrong() const {
     if (complex_.kind == DomainKind::kHull && !tetrahedra_.empty() && !is_covered_once()) {
       return NoCdt{WhyNoCdt::kSimplicesOverlap, tetrahedra_.front(), {}};
@@ -282,10 +282,11 @@ class SpatialWrapping {
     return std::count_if(tetrahedra_.begin(), tetrahedra_.end(), holds_sample) == 1;
   }
 
-  // No vertex ever is. Suppose that a vertex u lies in a tetrahedron t without being one of its
-  // vertices, and let t have been made in front of the facet f. If u is off f, its simplex with f is
-  // part of t, so it is clear; and u is in the ball of t, so it comes before the apex of t. If u is in
-  // f, it lies in the tetrahedron behind f as well, which was there before. (In a seed there is none.)
+  // No vertex ever lies in a tetrahedron without being one of its vertices. Suppose that a vertex u
+  // lies in such a way in t, and that t was made in front of the facet f. If u is off f, its
+  // simplex with f is part of t, so it is clear; and u is in the ball of t, so it comes before the
+  // apex of t. If u is in f, it lies in the tetrahedron behind f as well, which was there before.
+  // (In a seed there is none.)
   std::optional<NoCdt> what_is_missing() const {
     const std::set<Simplex> edges = edges_of(tetrahedra_);
     std::set<Vertex> vertices = vertices_of(tetrahedra_);
@@ -307,7 +308,7 @@ class SpatialWrapping {
     return NoCdt{WhyNoCdt::kNotLocallyDelaunay, *facet, {beyond}};
   }
 
-  // The walls, segments and vertices, of which some may be dangling.
+  // The walls, segments and vertices; some of them may dangle.
   std::set<Simplex> cells() const {
     std::set<Simplex> cells(walls_.begin(), walls_.end());
     cells.insert(complex_.segments.begin(), complex_.segments.end());

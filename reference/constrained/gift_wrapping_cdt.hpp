@@ -18,9 +18,9 @@
 namespace circumspect::constrained {
 
 // ---- Clear apex ----
-// The step of gift-wrapping a CDT that finds the simplex in front of a facet, and what may not
-// reach into that simplex. Book: Section 5.6 (in the plane Section 3.11, Finish), Section 4.5.2 (a
-// simplex of a CDT respects the PLC).
+// The step of gift-wrapping a CDT that finds the simplex in front of a facet, and the obstacles
+// that must not reach into that simplex. Book: Section 5.6 (in the plane Section 3.11, Finish),
+// Section 4.5.2 (a simplex of a CDT respects the PLC).
 
 // Does the interior of the k-simplex contain a point of the (closed) (k−1)-simplex `facet`, k = 2
 // or 3, on these axes? (It may be a simplex of lower dimension, too.) Clips the facet by the
@@ -30,7 +30,8 @@ namespace circumspect::constrained {
 bool meets_interior(const PointSet& points, std::span<const std::size_t> axes,
                     const Simplex& simplex, const Simplex& facet);
 
-// Some simplices of dimension 0 to k − 1, for simplices of dimension k = 2 or 3 to be clear of.
+// Some simplices of dimension 0 to k − 1 that must not reach into simplices of dimension k = 2 or
+// 3; a simplex is clear if none does.
 class Obstacles {
  public:
   // On these k axes. Refers to the points. Requires: no simplex is degenerate on the axes.
@@ -51,13 +52,13 @@ class Obstacles {
 
 struct InFront {
   bool has_candidates = false;  // is any strictly in front of the facet?
-  std::optional<Vertex> apex;   // the first that counts
+  std::optional<Vertex> apex;   // the first candidate that counts
 };
 
-// Of the candidates strictly in front of a facet, the first in the (perturbed) pencil of spheres
-// through it that counts: whose simplex with the facet, positively oriented, is clear of the
-// constraints. The book scans the vertices, keeps the first that is visible and replaces it by any
-// later one that is visible and in the ball; taking them as they stand in the pencil asks about
+// The first candidate that counts, in the (perturbed) pencil of spheres through a facet, among
+// those strictly in front of it: its simplex with the facet, positively oriented, must be clear of
+// the constraints. The book scans the vertices, keeps the first that is visible and replaces it by
+// any later one that is visible and in the ball; taking them in the order of the pencil tests
 // fewer.
 //
 // Clear instead of visible: the first that is clear is right if there is a CDT that has the facet.
@@ -70,8 +71,9 @@ InFront first_clear_apex(const PointSet& points, const std::vector<std::size_t>&
 // The constrained Delaunay triangulation of a PLC in space by gift-wrapping, or why there is none.
 // Book: Section 5.6.
 
-// How a PLC shows that it has no CDT. The book names two ways: a facet that cannot be finished, which
-// is the first of these; and a tetrahedron that is not constrained Delaunay, which are the others.
+// The evidence that a PLC has no CDT. The book names two kinds: a facet that cannot be finished,
+// which is the first of these, and a tetrahedron that is not constrained Delaunay, which the others
+// show.
 enum class WhyNoCdt {
   kFacetUnfinished,     // no tetrahedron in front of the facet is clear of all polygons
   kPolygonCrosses,      // a polygon's triangle runs through the tetrahedron that should be there
@@ -83,7 +85,7 @@ enum class WhyNoCdt {
 
 struct NoCdt {
   WhyNoCdt why;
-  // The facet at which it shows (three vertices) or the tetrahedron; empty for what is missing.
+  // The facet (three vertices) or the tetrahedron that shows it; empty if something is missing.
   Simplex simplex;
   // What is missing or in the way; the vertex in the ball.
   Simplex witness;
@@ -91,31 +93,32 @@ struct NoCdt {
   bool operator==(const NoCdt&) const = default;
 };
 
-// The canonical CDT of a PLC in space. A value either way: the algorithm decides, in polynomial time,
-// whether the PLC under the canonical perturbation has a CDT.
+// The canonical CDT of a PLC in space. Both outcomes are values: the algorithm decides, in
+// polynomial time, whether the PLC under the canonical perturbation has a CDT.
 //
-// Why. Suppose that there is one, T. Its triangles in the polygons are their planar CDTs (Proposition
-// 4.11), the seeds. Let f be a facet of T and v the apex of the tetrahedron in front. Of all
-// vertices in front of f and visible from its relative interior, v comes first in the pencil of
-// spheres through f: any before it would be in the ball of f and v, and visible from points inside
-// the tetrahedron as well. So the wrapping, which takes for visible a vertex whose tetrahedron with f
-// is clear of all polygons (then it is visible; and v counts as visible), finds T and nothing else.
+// Why. Suppose that there is one, T. Its triangles in the polygons are their planar CDTs
+// (Proposition 4.11), the seeds. Let f be a facet of T and v the apex of the tetrahedron in front.
+// Of all vertices in front of f and visible from its relative interior, v comes first in the pencil
+// of spheres through f: any before it would be in the ball of f and v, and visible from points
+// inside the tetrahedron as well. So the wrapping, which counts as visible a vertex whose
+// tetrahedron with f is clear of all polygons (then it is visible; and v counts as visible), finds
+// T and nothing else.
 //
-// Conversely, let the wrapping end. The boundary of its tetrahedra, as a chain of oriented facets, is
-// that of the domain; so every point of the domain is covered once, and no other point. (Of the hull
-// kind the hull's own facets are not given beforehand: then all of the hull might be covered c more
-// times. One sample point shows that c = 0.) Tetrahedra that tile facet to facet, with triangulated
-// polygons for facets, do so face to face. If all segments and vertices of the domain are there, it is
-// a triangulation of the PLC; if besides every facet that no polygon includes is locally Delaunay, it
-// is a CDT by Lemma 4.10. If any of that fails, what has been found is not the CDT, and by the first
-// part there is none.
+// Conversely, let the wrapping end. The boundary of its tetrahedra, as a chain of oriented facets,
+// is that of the domain; so every point of the domain is covered once, and no other point. (For the
+// hull kind, the hull's own facets are not given in advance, so all of the hull might be covered c
+// more times. One sample point shows that c = 0.) Tetrahedra that tile facet to facet, with
+// triangulated polygons for facets, do so face to face. If all segments and vertices of the domain
+// are there, it is a triangulation of the PLC; if besides every facet that no polygon includes is
+// locally Delaunay, it is a CDT by Lemma 4.10. If any of that fails, what has been found is not the
+// CDT, and by the first part there is none.
 //
-// Requires: complex.ambient_dimension() == 3; the complex is valid. (A hull without volume has nothing
-// inside.)
+// Requires: complex.ambient_dimension() == 3; the complex is valid. (A hull without volume has
+// nothing inside.)
 tl::expected<PlcTriangulation, NoCdt> gift_wrapping_cdt(const PiecewiseLinearComplex& complex,
                                                         const Progress& progress = {});
 
-// The part of it that a PLC always has: the planar CDTs of all its polygons. Ascending, in
+// The part of a CDT that every PLC has: the planar CDTs of all its polygons. Ascending, in
 // lexicographic order.
 std::vector<Simplex> triangulated_polygons(const PiecewiseLinearComplex& complex);
 

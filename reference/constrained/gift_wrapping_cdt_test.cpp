@@ -100,7 +100,7 @@ TEST_CASE("Schönhardt's polyhedron has a facet that cannot be finished (Figure 
   Cavity cavity;
   cavity.axes = kSpace;
   cavity.candidates = {0, 1, 2, 3, 4, 5};
-  // Of each quadrilateral between, the diagonal that is reflex.
+  // The reflex diagonal of each quadrilateral between.
   for (const Simplex& facet : {Simplex{0, 1, 2},
                                {3, 4, 5},
                                {0, 1, 4},
@@ -202,8 +202,8 @@ TEST_CASE("gift-wrapping a CDT: Schonhardt's polyhedron has none, with vertices 
   REQUIRE_FALSE(none.has_value());
   // Vertex 5 is the first that is visible from the facet 0 1 2, but not from all of it.
   CHECK(none.error() == NoCdt{WhyNoCdt::kPolygonCrosses, {0, 1, 2, 5}, {0, 2, 3}});
-  // A vertex in the middle gives it a triangulation, but no CDT: seen from there, the two facets at a
-  // reflex edge fall back too steeply.
+  // A vertex in the middle gives it a triangulation, but no CDT: seen from there, the two facets at
+  // a reflex edge fall back too steeply.
   PiecewiseLinearInput centred = input;
   centred.points.push_back({0, 0, 5});
   const auto not_constrained_delaunay = cdt_of(centred);
@@ -277,7 +277,7 @@ TEST_CASE("gift-wrapping a CDT: an internal square that hides vertices from one 
   CHECK(after->dangling.empty());
 }
 
-// The prism over a polygon of the plane, from height 0 to 1.
+// The prism over a planar polygon, from height 0 to 1.
 PiecewiseLinearInput prism(const std::vector<std::pair<int, int>>& outline) {
   PiecewiseLinearInput input;
   const auto size = static_cast<Vertex>(outline.size());

@@ -23,8 +23,8 @@ namespace circumspect::constrained {
 
 namespace {
 
-// The chain of the hull that has all vertices on its left or on it, from the first vertex to the last
-// in the order given, which is that of the first axis (then of the second).
+// The chain of the hull that has all vertices on its left or on it, from the first vertex to the
+// last in the order given, which is that of the first axis (then of the second).
 std::vector<Vertex> hull_chain(const PointSet& points, const std::vector<std::size_t>& axes,
                                const std::vector<Vertex>& in_order) {
   std::vector<Vertex> chain;
@@ -115,11 +115,11 @@ class SegmentInsertion {
     return cavities;
   }
 
-  // Fills the cavity on the left of the edge from the chain's front to its back. All vertices of the
-  // chain are visible from the edge, through the triangles that were there; so the first of them in
-  // the pencil of circles through the edge is the apex of its triangle, which leaves two smaller
-  // cavities of the same kind. (They wait in a list: one within the other they may be as many as the
-  // chain is long, too many to call this function again for each.)
+  // Fills the cavity on the left of the edge from the chain's front to its back. All vertices of
+  // the chain are visible from the edge, through the triangles that were there; so the first of
+  // them in the pencil of circles through the edge is the apex of its triangle, which leaves two
+  // smaller cavities of the same kind. (They wait in a list: one within the other they may be as
+  // many as the chain is long, too many to call this function again for each.)
   void retriangulate(Chain chain, std::vector<Simplex>& created) const {
     std::vector<Chain> pending = {std::move(chain)};
     while (!pending.empty()) {
@@ -140,7 +140,7 @@ class SegmentInsertion {
     return orientation(points_.configuration(), axes_, Simplex{a, b, c});
   }
 
-  // The edge opposite a in the triangle through which ab leaves a.
+  // The edge opposite a in the triangle that ab enters at a.
   Simplex crossed_edge_at(Vertex a, Vertex b, std::vector<Simplex>& crossed) const {
     for (const Simplex& triangle : triangles_.star({a})) {
       const Simplex edge = without(triangle, {a});
@@ -154,9 +154,10 @@ class SegmentInsertion {
     return {};
   }
 
-  // Where the chain has the apex for the edge from its front to its back. It passes that vertex only
-  // once: what it passes between two visits of a vertex u is visible from the edge between two points
-  // from which u is, so it lies in the triangle of u and the edge, and comes before u in the pencil.
+  // Where the chain has the apex for the edge from its front to its back. It passes that vertex
+  // only once: what it passes between two visits of a vertex u is visible from the edge between two
+  // points from which u is, so it lies in the triangle of u and the edge, and comes before u in the
+  // pencil.
   std::size_t apex_place(const Chain& chain) const {
     const Vertex a = chain.front(), b = chain.back();
     std::optional<Vertex> apex;
@@ -175,8 +176,7 @@ class SegmentInsertion {
   const StarIndex& triangles_;
 };
 
-// The canonical Delaunay triangulation of some vertices of one plane. No triangle if they lie on one
-// line.
+// The canonical Delaunay triangulation of some coplanar vertices; empty if they lie on one line.
 StarIndex planar_delaunay(const PointSet& points, const std::vector<std::size_t>& axes,
                           const std::vector<Vertex>& vertices) {
   const std::vector<Simplex> hull = hull_edges(points, axes, vertices);
@@ -189,10 +189,10 @@ StarIndex planar_delaunay(const PointSet& points, const std::vector<std::size_t>
   return StarIndex(triangles);
 }
 
-// Makes the canonical CDT of some segments that of these and of one more: deletes the triangles that
-// the segment crosses, and retriangulates the cavities on its left and right.
-// Requires: the triangles fill a convex hull; both ends are vertices; no vertex is inside the segment,
-// and no other segment crosses it.
+// Adds one more segment to the canonical CDT of some segments: deletes the triangles that the
+// segment crosses, and retriangulates the cavities on its left and right. Requires: the triangles
+// fill a convex hull; both ends are vertices; no vertex is inside the segment, and no other segment
+// crosses it.
 void insert_segment(const PointSet& points, const std::vector<std::size_t>& axes,
                     StarIndex& triangles, const Simplex& segment) {
   if (triangles.size() == 0 || !triangles.star(segment).empty()) return;
@@ -213,8 +213,8 @@ Simplex counterclockwise(const PointSet& points, const Polygon& polygon, Simplex
   return triangle;
 }
 
-// The segments, each oriented so that the polygon is in front; both ways if it is on both sides. The
-// polygon's own triangles, which have all its segments for edges, tell.
+// The segments, each oriented so that the polygon is in front; both ways if it is on both sides.
+// The polygon's own triangles, which have all its segments for edges, tell.
 UnfinishedFacets sides_within(const PointSet& points, const Polygon& polygon) {
   const std::set<Simplex> segments(polygon.segments.begin(), polygon.segments.end());
   UnfinishedFacets sides;
@@ -252,7 +252,7 @@ std::vector<Simplex> by_gift_wrapping(const PointSet& points, const Polygon& pol
   return ascending(dictionary.simplices());
 }
 
-// Those triangles that are joined to the inner side of a segment, across edges that are none.
+// The triangles that are joined to the inner side of a segment across edges that are not segments.
 std::vector<Simplex> part_within(const PointSet& points, const Polygon& polygon,
                                  const StarIndex& triangles) {
   const std::set<Simplex> segments(polygon.segments.begin(), polygon.segments.end());

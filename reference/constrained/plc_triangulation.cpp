@@ -29,7 +29,7 @@ std::optional<NoChange> why_no_cdt(const PointSet& points, const EvolvingCdt& cd
   std::vector<Simplex> facets = facets_of(change.deleted);
   facets.insert(facets.end(), change.walls_added.begin(), change.walls_added.end());
   for (const Simplex& facet : facets) {
-    // Walls bound cavities, or stand in them on both sides; and see FlipInsertPolygon for flips.
+    // Walls bound cavities, or lie inside them with both sides; for flips, see FlipInsertPolygon.
     assert(!cdt.walls.contains(facet) || !is_absent(cdt, facet));
   }
   const auto bad =
@@ -116,7 +116,7 @@ std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices) {
 
 namespace {
 
-// Twelve numbers tell four points; the sign of their determinant.
+// Twelve numbers give four points; the sign of their determinant.
 int orientation_of(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point p = a - d, q = b - d, r = c - d;
   const Rational value = p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) +

@@ -18,10 +18,10 @@ namespace circumspect::constrained {
 // A constrained Delaunay triangulation that changes as polygons and vertices come and go.
 // Book: Sections 5.7 and 5.8.
 
-// The canonical CDT of a convex hull in space with some segments and polygons in it: of a PLC of
-// the hull kind. What changes it takes facets that only one tetrahedron has for those of the hull.
-// So a domain that is not convex has no evolving CDT; it is carved from that of its hull
-// (below).
+// The canonical CDT of a convex hull in space with some segments and polygons in it, that is, of a
+// PLC of the hull kind. Functions that change it treat facets of only one tetrahedron as facets of
+// the hull. So a domain that is not convex has no evolving CDT; its CDT is carved from that of its
+// hull (below).
 struct EvolvingCdt {
   StarIndex tetrahedra;
   std::set<Simplex> segments;  // pairs of vertices, ascending
@@ -46,14 +46,14 @@ enum class WhyNoChange {
   kFacetUnfinished,     // no vertex in front of the facet can be joined to it in the cavity
   kSimplicesOverlap,    // a facet has two tetrahedra on one side
   kNotLocallyDelaunay,  // a facet that no polygon includes
-  kSegmentLost,         // a segment is no edge any more
+  kSegmentLost,         // a segment is no longer an edge
   kNotStarShaped,       // the facet of a vertex's cavity is not seen from the vertex
   kSegmentInCavity,     // a segment runs through the interior of a vertex's cavity
-  kPolygonInCavity,     // the same of a polygon, which includes the facet
+  kPolygonInCavity,     // the same for a polygon, which includes the facet
   kOutsideHull,         // the vertex to be inserted lies outside the convex hull
   kVertexAlreadyThere,  // the vertex to be inserted is one of the triangulation's
   kExtremeVertex,       // without the vertex to be deleted the convex hull would shrink
-  kVertexNeeded,        // segments end at the vertex to be deleted, or it is none of the vertices
+  kVertexNeeded,        // segments end at the vertex to be deleted, or it is not a vertex
 };
 
 struct NoChange {
@@ -63,8 +63,8 @@ struct NoChange {
   bool operator==(const NoChange&) const = default;
 };
 
-// What is to become of an evolving CDT. What is to be added is not there yet, what is to be removed
-// is.
+// A change of an evolving CDT. Items to be added must not be there yet; items to be removed must
+// be.
 struct Change {
   std::vector<Simplex> deleted;  // tetrahedra
   std::vector<Simplex> created;  // tetrahedra that fill the same space
@@ -74,14 +74,14 @@ struct Change {
   std::set<Simplex> segments_removed = {};
 };
 
-// Performs a change. Nothing, if the triangulation is a CDT still; otherwise what is wrong, and
-// nothing has changed. By the Constrained Delaunay Lemma (4.10) it suffices that all segments are
-// edges, all walls facets, and each facet of the new tetrahedra locally Delaunay or a wall.
-// Requires: the tetrahedra will be a triangulation of the hull, with all of its vertices, and
+// Performs a change. Returns nothing if the triangulation is still a CDT; otherwise returns the
+// fault, and changes nothing. By the Constrained Delaunay Lemma (4.10) it suffices that all
+// segments are edges, all walls facets, and each facet of the new tetrahedra locally Delaunay or a
+// wall. Requires: the tetrahedra will be a triangulation of the hull, with all of its vertices, and
 // besides only one that is to be inserted, or without one that is to be deleted; and all walls will
-// be facets of it, which is asserted. That the created tetrahedra fill what the deleted ones leave,
-// and that no vertex comes or goes, is not looked at.
-// Throws std::logic_error if a deleted tetrahedron is not there, or a created one already is.
+// be facets of it, which is asserted. It does not check that the created tetrahedra fill the space
+// of the deleted ones, or that no vertex comes or goes. Throws std::logic_error if a deleted
+// tetrahedron is not there, or a created one already is.
 std::optional<NoChange> try_change(const PointSet& points, EvolvingCdt& cdt, const Change& change);
 
 // The first of some facets of a triangulation that is neither a wall nor locally Delaunay: the
@@ -92,7 +92,7 @@ std::optional<Simplex> facet_not_locally_delaunay(const PointSet& points,
                                                   const std::vector<Simplex>& facets,
                                                   const std::set<Simplex>& walls);
 
-// Is the facet of the triangulation on the boundary of the convex hull? So it is if only one
+// Is the facet of the triangulation on the boundary of the convex hull? It is if only one
 // tetrahedron has it. Asserts that then no vertex of the triangulation lies beyond.
 bool is_on_hull(const PointSet& points, const EvolvingCdt& cdt, const Simplex& facet);
 
@@ -103,8 +103,8 @@ std::set<Simplex> edges_of(const std::vector<Simplex>& simplices);
 std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices);
 
 // ---- PLC triangulation ----
-// A triangulation of a piecewise linear complex (Book: Definitions 4.4, 4.5 and 4.7), and how to
-// get one from a CDT of the convex hull.
+// A triangulation of a piecewise linear complex (Book: Definitions 4.4, 4.5 and 4.7), and its
+// extraction from a CDT of the convex hull.
 
 // The simplices of a triangulation that are faces of no other, each with its vertices ascending, in
 // lexicographic order, so that two triangulations are the same complex iff they compare equal.
@@ -126,8 +126,8 @@ PlcTriangulation carve(const PiecewiseLinearComplex& complex, const EvolvingCdt&
 // Does the closed tetrahedron contain the point?
 bool holds(const PointSet& points, const Simplex& tetrahedron, const Point& point);
 
-// A triangulation of d-simplices and the faces that are to be in it: those faces that are in no
-// other simplex of it become the dangling ones.
+// A triangulation of d-simplices and the faces that must be in it: faces that are in no other
+// simplex of it become the dangling ones.
 PlcTriangulation with_dangling(std::vector<Simplex> simplices, const std::set<Simplex>& faces);
 
 }  // namespace circumspect::constrained

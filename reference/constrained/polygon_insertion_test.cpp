@@ -40,7 +40,7 @@ TEST_CASE("the tetrahedra around an edge that pierces the polygon") {
 }
 
 TEST_CASE("only what the polygon covers counts, not its plane") {
-  // Two such places side by side, of which the polygon covers the first.
+  // Two such places side by side; the polygon covers the first.
   std::vector<Point> points = kPiercedTriangle.points();
   points.push_back({4, 4, 0});
   points.push_back({3, 3, 1});
@@ -70,8 +70,8 @@ struct Pierced {
 
 TEST_CASE("when two tetrahedra become cohyperplanar, to the last infinitesimal") {
   const Pierced p;
-  // (p3 + p4) / 2 = p0 / 2 + p1 / 4 + p2 / 4; the means of |v|² are 3 and 8, the vertex on the right
-  // is at distance 1, so 3 + κ/2 = 8.
+  // (p3 + p4) / 2 = p0 / 2 + p1 / 4 + p2 / 4; the means of |v|² are 3 and 8, the vertex on the
+  // right is at distance 1, so 3 + κ/2 = 8.
   const auto time = event_time(p.polygon, {0, 1, 3, 4}, 2);
   REQUIRE(time.has_value());
   CHECK(time->standard == 10);
@@ -317,7 +317,7 @@ TEST_CASE("without its polygon the CDT is Delaunay again") {
   CHECK(cdt.tetrahedra.simplices() == evolving_delaunay(complex.points).tetrahedra.simplices());
 }
 
-// What deleting the polygon from the CDT, found by gift-wrapping, comes up against.
+// The obstacle to deleting the polygon from the CDT, which is found by gift-wrapping.
 WhyNoChange why_not_deleted(const std::vector<Point>& points,
                             const std::vector<std::vector<Vertex>>& segments,
                             const std::vector<std::vector<Vertex>>& polygons, std::size_t place) {

@@ -1,5 +1,5 @@
-// Segments: which are strongly Delaunay, Delaunay, or neither; the shells about their ends; and how many
-// points recover them.
+// Segments: which are strongly Delaunay, Delaunay, or neither; the shells around their ends; and
+// how many points recover them.
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
@@ -21,7 +21,7 @@ PiecewiseLinearComplex segments_only(std::vector<Point> points,
   return assemble(input);
 }
 
-// What is found through the canonical triangulation is what the linear program over all points says.
+// The canonical triangulation gives the same answer as the linear program over all points.
 void check_against_definition(const PiecewiseLinearComplex& complex) {
   bool all_strong = true;
   bool all_present = true;
@@ -115,8 +115,9 @@ TEST_CASE("protecting shells: which ends are acute") {
   const auto complex = segments_only({{0, 0}, {4, 0}, {4, 1}, {0, 3}, {-4, 0}},
                                      {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}});
   const ProtectingShells shells(complex);
-  // Segments 0 1 and 0 2 make a narrow angle, so 0 2 and 0 3 count too; a right one is none. That of
-  // 1 2 with 0 2 has a cosine below 1/4, and there is no narrower one at their vertex.
+  // Segments 0 1 and 0 2 make a narrow angle, so 0 2 and 0 3 count too; a right angle is not
+  // narrow. The angle of 1 2 with 0 2 has a cosine below 1/4, and there is no narrower one at their
+  // vertex.
   CHECK(shells.is_acute(0, 0));
   CHECK(shells.is_acute(1, 0));
   CHECK(shells.is_acute(2, 0));
@@ -137,7 +138,7 @@ TEST_CASE("protecting shells: points on one shell are not in each other's diamet
   std::vector<Point> ends;
   for (std::size_t i = 0; i < 4; ++i) {
     const Point& tip = complex.points[static_cast<Vertex>(i + 1)];
-    // Long enough for a subsegment that is to be split at the least shell.
+    // Long enough for a subsegment that must be split at the least shell.
     const Rational fraction = shells.where_to_split(i, 0, Rational(9, 4) * least);
     ends.push_back(fraction * tip);
     CHECK(squared_length(ends.back()) >= least);
@@ -163,7 +164,7 @@ TEST_CASE("protecting shells: the least one keeps clear of everything else") {
   CHECK(ProtectingShells(segment).squared_least_shell(0) == 4);
 }
 
-// Recovers the segments and asks for all that is promised; how many points were added.
+// Recovers the segments and checks all guarantees; returns how many points were added.
 std::size_t steiner_points_of_recovery(const PiecewiseLinearComplex& complex) {
   const RecoveredSegments recovered = recover_segments(complex);
   CHECK(is_edge_protected(recovered.complex));

@@ -160,7 +160,7 @@ Rational ProtectingShells::squared_distance_to_others(Vertex apex) const {
 
 namespace {
 
-// The number with the least power of two for its denominator in an open interval; the first of them.
+// The number in an open interval whose denominator is the least power of two; the first of these.
 // Requires: 0 ≤ low < high.
 Rational shortest_dyadic(const Rational& low, const Rational& high) {
   Rational below =

@@ -1,4 +1,4 @@
-// The segments of a complex, split at more and more vertices, and where that is done near acute
+// The segments of a complex, split at more and more vertices, and the choice of these near acute
 // angles. Book: Section 4.5.3, Exercise 6 of Chapter 4.
 #pragma once
 
@@ -17,8 +17,8 @@ namespace circumspect::constrained {
 // Where to split a segment near a vertex at which segments meet in an acute angle.
 // Book: Section 4.5.3, Exercise 6 of Chapter 4.
 
-// A vertex v is narrow if two of its segments make an angle there with a cosine above 1/4; where there
-// is no narrower one, halving does as well (see steiner_cdt.hpp). At a narrow vertex, two
+// A vertex v is narrow if two of its segments make an angle there with a cosine above 1/4; if there
+// is no such angle, halving works as well (see steiner_cdt.hpp). At a narrow vertex, two
 // subsegments va and vb of segments that meet at an angle θ < 90° stay out of each other's
 // diametral balls if they are equally long. (Those with θ ≥ 90° do at any length.) So segments are
 // split on spheres about v, the shells, with radii 2^k. (J. Ruppert, "A Delaunay refinement
@@ -55,14 +55,14 @@ class ProtectingShells {
     long least_shell = 0;         // its k
   };
   const Apex& around(Vertex apex) const;
-  // Of all pairs of segments at the apex: the time is quadratic in their number.
+  // Looks at all pairs of segments at the apex, in quadratic time.
   void measure_angles(Vertex apex, Apex& around) const;
   Rational squared_distance_to_others(Vertex apex) const;
 
   const PiecewiseLinearComplex& complex_;
   std::vector<std::vector<std::size_t>> segments_at_;  // by vertex
   BoxIndex boxes_;                                     // of the segments, then of the vertices
-  mutable std::map<Vertex, Apex> apexes_;              // as far as anybody asked
+  mutable std::map<Vertex, Apex> apexes_;              // computed on demand
 };
 
 // ---- Split segments ----
@@ -93,18 +93,19 @@ struct PointInPolygon {
   bool operator==(const PointInPolygon&) const = default;
 };
 
-// So many Steiner points did not suffice. That says nothing about whether more would.
+// So many Steiner points did not suffice; more might.
 struct SteinerLimitReached {
   std::size_t on_segments = 0;
   std::size_t in_polygons = 0;
 };
 
-// How subsegments are split so that it comes to an end: a subsegment one end of which is an acute
-// end of its segment at a shell (see ProtectingShells); every other in its middle half, beside the
-// nearest point that is in the way, or else in its middle. (J. R. Shewchuk, H. Si: segments that run
-// closely along each other then get their vertices side by side, where those in the middle would not
-// match, and would be in each other's way again and again. At acute ends this was tried as well: it
-// takes fewer points in Chazelle's polyhedra, and more where many segments end in one vertex.)
+// Where subsegments are split so that the process ends: a subsegment with an acute end of its
+// segment is split at a shell (see ProtectingShells); every other one in its middle half, beside
+// the nearest point that is in the way, or else in its middle. (J. R. Shewchuk, H. Si: segments
+// that run closely along each other then get their vertices side by side, where those in the middle
+// would not match, and would be in each other's way again and again. At acute ends this was tried
+// as well: it takes fewer points in Chazelle's polyhedra, and more where many segments end in one
+// vertex.)
 class SplitSegments {
  public:
   // Refers to the complex. Requires: it is valid.
@@ -119,18 +120,17 @@ class SplitSegments {
                           const std::vector<Point>& in_the_way = {}) const;
   Point point_at(std::size_t segment, const Rational& parameter) const;
 
-  // Is the subsegment one that recovery never needs to split, because it has an acute end of its
-  // segment for an end and is as short as the least shell there? (Points off the segments may need
-  // it.)
+  // Is the subsegment one that recovery never needs to split, because it begins at an acute end of
+  // its segment and is as short as the least shell there? (Points off the segments may need it.)
   bool is_protected(const Subsegment& subsegment) const;
 
-  // A vertex is now at this parameter of the segment. Requires: none was.
+  // Records a new vertex at this parameter of the segment. Requires: there was none.
   void add(const PointOnSegment& point);
   // In the order in which they were added.
   const std::vector<PointOnSegment>& added() const { return added_; }
 
   // The complex whose segments are the subsegments: `points` are the original ones and all that
-  // were added. Its polygons have what was added to their segments, and their own added points.
+  // were added. Its polygons have the vertices added to their segments, and their own added points.
   PiecewiseLinearComplex augmented(const PointSet& points,
                                    const std::vector<PointInPolygon>& in_polygons = {}) const;
 
@@ -150,7 +150,7 @@ class SplitSegments {
     Rational high;
   };
   // The part of its middle half in which a split keeps the nearest of the points out of the
-  // diametral balls of both parts; nothing if none has its like there.
+  // diametral balls of both parts; nothing if no point leaves such a part.
   std::optional<Interval> beside_nearest(const Subsegment& subsegment,
                                          const std::vector<Point>& in_the_way) const;
 

@@ -13,12 +13,12 @@ namespace circumspect::constrained {
 
 namespace {
 
-// The points of a round, found by where they are.
+// The points of a round, which can be searched by position.
 class PointsNear {
  public:
   explicit PointsNear(const PointSet& points) : points_(points), index_(boxes_of(points)) {}
 
-  // Those in the closed diametral ball of the edge, without its ends.
+  // The points in the closed diametral ball of the edge, without its ends.
   std::vector<Point> in_diametral_ball(const Simplex& edge) const {
     const Point& a = points_[edge[0]];
     const Point& b = points_[edge[1]];

@@ -18,7 +18,7 @@ namespace {
 
 // ---- Conforming Delaunay triangulations, and limits reached ----
 
-// Holds the answer to what was promised.
+// Checks the guarantees of the answer.
 ConformingDelaunay conforming(const PiecewiseLinearComplex& complex) {
   const auto answer = conforming_delaunay(complex, 500);
   REQUIRE(answer.has_value());
@@ -54,8 +54,8 @@ TEST_CASE("conforming Delaunay: the named complexes") {
   CHECK(!notched.in_polygons.empty());
 }
 
-// Two vertices very near the middle of a polygon, on either side of it: an edge between them pierces
-// the polygon until it has a vertex there.
+// Two vertices very near the middle of a polygon, on either side of it: an edge between them
+// pierces the polygon until it has a vertex there.
 TEST_CASE("conforming Delaunay: a polygon with vertices close by on both sides") {
   PiecewiseLinearInput input = generators::box(0, 4);
   const auto first = static_cast<Vertex>(input.points.size());
@@ -105,7 +105,7 @@ TEST_CASE("conforming Delaunay: a limit that is reached is not an answer") {
 
 // ---- Steiner CDTs of complexes that have no triangulation ----
 
-// All algorithms give one answer; how many Steiner points it has.
+// All algorithms give the same answer; returns the number of its Steiner points.
 std::size_t steiner_points_of_cdt(const PiecewiseLinearComplex& complex) {
   const SteinerCdt by_flips = steiner_cdt(complex);
   for (const CdtAlgorithm other : {CdtAlgorithm::kGiftWrapping, CdtAlgorithm::kPolygonCavities}) {
@@ -186,7 +186,8 @@ TEST_CASE("planar CDT: a segment that is not Delaunay") {
 
 TEST_CASE("planar CDT: of the enclosed kind only what segments enclose has triangles") {
   PiecewiseLinearInput input;
-  // A square with a square hole, a segment out of the outline, one apart, and a vertex outside.
+  // A square with a square hole, a segment that leads out of the outline, a separate one, and a
+  // vertex outside.
   input.points = {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {2, 2},  {4, 2},
                   {4, 4}, {2, 4}, {9, 9}, {8, 0}, {9, 20}, {20, 9}};
   for (Vertex i = 0; i < 4; ++i) {

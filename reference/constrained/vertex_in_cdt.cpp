@@ -61,8 +61,8 @@ class VertexInsertion {
     change_.deleted.assign(cavity.begin(), cavity.end());
   }
 
-  // The facets of the cavity; each must have v strictly in front, but those of the hull that v is
-  // on. What walls there are inside must pass through v.
+  // The facets of the cavity; each must have v strictly in front, except those of the hull that
+  // contain v. Walls inside must pass through v.
   std::optional<NoChange> find_border() {
     std::vector<Simplex> positive;
     for (const Simplex& tetrahedron : change_.deleted) {
@@ -105,11 +105,12 @@ class VertexInsertion {
     return false;
   }
 
-  // Segments in the interior of the cavity. Vertices there are none: suppose that all tetrahedra at a
-  // vertex u are in the cavity, and no facet at u bounds it. Then the line from v to u goes on in one
-  // of them, τ. (If u is on the hull, v is in the planes of all its facets at u, and they meet in more
-  // than u, so along that line.) The sphere of τ passes through u, and its ball has points beyond u on
-  // the line. So v is strictly outside, perturbed or not, and τ does not contain v: it was never dug.
+  // Segments in the interior of the cavity. There are no vertices: suppose that all tetrahedra at a
+  // vertex u are in the cavity, and no facet at u bounds it. Then the line from v to u continues in
+  // one of them, τ. (If u is on the hull, v is in the planes of all its facets at u, and they meet
+  // in more than u, so along that line.) The sphere of τ passes through u, and its ball has points
+  // beyond u on the line. So v is strictly outside, perturbed or not, and τ does not contain v: it
+  // was never dug.
   std::optional<NoChange> find_buried_segments() {
     std::vector<Simplex> facets;
     for (const OrientedFacet& facet : border_) facets.push_back(facet.vertices);
@@ -128,8 +129,8 @@ class VertexInsertion {
     return std::nullopt;
   }
 
-  // The walls through v: from v to each edge that bounds, within their plane, those that were
-  // there.
+  // The walls through v: triangles from v to each edge on the boundary, within their plane, of the
+  // walls that they replace.
   void join_walls_to_vertex() {
     std::map<Simplex, int> uses;
     for (const Simplex& wall : change_.walls_removed) {
@@ -171,7 +172,7 @@ struct Fan {
   bool is_on_hull = false;
 };
 
-// A facet at v that stays in its plane, and whether it is in a fan already.
+// A facet at v that stays in its plane, and whether it is already in a fan.
 struct FanFacet {
   bool is_wall = false;
   bool is_on_hull = false;
@@ -230,7 +231,7 @@ class VertexDeletion {
   }
 
   std::vector<Fan> fans() const {
-    std::map<Simplex, FanFacet> facets;  // those that are to be in a fan
+    std::map<Simplex, FanFacet> facets;  // those that must be in a fan
     for (const Simplex& facet : facets_of(change_.deleted)) {
       if (!contains(facet, v_)) continue;
       const FanFacet kind{cdt_.walls.contains(facet), is_on_hull(points_, cdt_, facet)};

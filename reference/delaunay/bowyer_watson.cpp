@@ -23,7 +23,7 @@ Simplex affine_basis(const PointSet& points) {
 Simplex first_independent(const PointSet& points, const std::vector<Vertex>& sequence) {
   const auto wanted = static_cast<std::size_t>(points.dimension() + 1);
   Simplex basis;
-  // Mostly they are in front; beginnings of the sequence twice as long each time find them wherever
+  // Mostly they are in front; prefixes of the sequence, twice as long each time, find them wherever
   // they are.
   for (std::size_t length = wanted; basis.size() < wanted; length = 2 * length) {
     const Simplex beginning(
@@ -75,7 +75,8 @@ bool BowyerWatson::is_conflict(const Simplex& simplex, Vertex u) {
 }
 
 // DigCavity3D. The facets to pass have a deleted simplex, and so u, in front. The book recurses; a
-// stack of facets visits them in the same depth-first order and does not overflow on large cavities.
+// stack of facets visits them in the same depth-first order and does not overflow on large
+// cavities.
 void BowyerWatson::dig_cavity(Vertex u) {
   while (!facets_to_pass_.empty()) {
     const OrientedFacet facet = std::move(facets_to_pass_.back());

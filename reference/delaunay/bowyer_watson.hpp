@@ -1,5 +1,5 @@
-// The Bowyer–Watson algorithm: incremental insertion with ghost simplices. Book: Section 5.2; orders
-// of insertion and point location in Sections 5.3 to 5.5.
+// The Bowyer–Watson algorithm: incremental insertion with ghost simplices. Book: Section 5.2;
+// orders of insertion and point location in Sections 5.3 to 5.5.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,18 @@
 
 namespace circumspect::delaunay {
 
-// What the insertion of one vertex changes, with ghosts; all simplices positively oriented.
+// The changes by the insertion of one vertex, including ghosts; all simplices are positively
+// oriented.
 struct Insertion {
   Vertex vertex = kGhost;  // the ghost for the start, which inserts a whole simplex
   // The simplices that were in conflict with the vertex: their union is the cavity.
   // The first is that in which point location found it.
   std::vector<Simplex> deleted;
-  // One for each facet of the cavity, with the vertex for its apex.
+  // One for each facet of the cavity, with the vertex as its apex.
   std::vector<Simplex> created;
 };
 
-// The first k+1 affinely independent vertices of a sequence, k the dimension of the set: with what
+// The first k+1 affinely independent vertices of a sequence, k the dimension of the set, with which
 // incremental insertion starts. Requires: the sequence has that many.
 Simplex first_independent(const PointSet& points, const std::vector<Vertex>& sequence);
 
@@ -33,9 +34,9 @@ Simplex first_independent(const PointSet& points, const std::vector<Vertex>& seq
 class BowyerWatson {
  public:
   // Starts with a simplex and a ghost simplex on each of its facets; if none is given, with the
-  // first k+1 affinely independent points. With another conflict test than the canonical one it
-  // makes another Delaunay triangulation.
-  // Requires: points.dimension() = k ≥ 1; first_simplex has k+1 affinely independent vertices.
+  // first k+1 affinely independent points. With a conflict test other than the canonical one, it
+  // makes another Delaunay triangulation. Requires: points.dimension() = k ≥ 1; first_simplex has
+  // k+1 affinely independent vertices.
   explicit BowyerWatson(const PointSet& points);
   BowyerWatson(const PointSet& points, const Simplex& first_simplex,
                ConflictTest conflict_test = is_in_conflict);
@@ -43,9 +44,9 @@ class BowyerWatson {
   // The vertices that the start has inserted.
   const Simplex& first_simplex() const { return first_simplex_; }
 
-  // Inserts u. In a weighted set u may be submerged: then nothing changes and false comes back.
-  // Vertices that u submerges vanish. Point location is a linear scan.
-  // Requires: u not inserted before.
+  // Inserts u. In a weighted set u may be submerged: then it returns false and changes nothing.
+  // Vertices that u submerges vanish. Point location is a linear scan. Requires: u not inserted
+  // before.
   bool insert(Vertex u);
 
   // InsertVertex3D(u, vwxy) of the book, in any dimension. The answer holds until the next
@@ -91,14 +92,14 @@ struct BowyerWatsonOptions {
   PointLocation location = PointLocation::kLinearScan;
   std::uint64_t seed = 0;  // of the random orders
   Progress progress = {};
-  std::function<void(const Insertion&)> watch = {};  // is told of the start and of each insertion
+  std::function<void(const Insertion&)> watch = {};  // called for the start and each insertion
 };
 
 // Inserts all points. Any number of points, any dimension; one answer, whatever the options.
 Triangulation bowyer_watson(const PointSet& points, const BowyerWatsonOptions& options,
                             Statistics* statistics = nullptr);
 
-// In the order given by their indices.
+// In the order of their indices.
 Triangulation bowyer_watson(const PointSet& points);
 
 }  // namespace circumspect::delaunay

@@ -1,4 +1,5 @@
-// Vertices inserted by the Bowyer–Watson algorithm, and deleted. Book: Section 5.2; Figures 4.2 and 4.4.
+// Vertices inserted by the Bowyer–Watson algorithm, and deleted. Book: Section 5.2; Figures 4.2 and
+// 4.4.
 #include "reference/delaunay/bowyer_watson.hpp"
 
 #include <algorithm>
@@ -238,7 +239,7 @@ TEST_CASE("Bowyer-Watson: one insertion deletes a quadratic number of tetrahedra
     CHECK(algorithm.triangulation().simplices().size() == quadratic);
     algorithm.insert(last);
     CHECK(algorithm.last_insertion().deleted.size() == quadratic);
-    // All vertices are on the hull: 2n − 4 facets of the cavity, none of them removed from it.
+    // All vertices are on the hull: the cavity has 2n − 4 facets, and none of them is removed.
     CHECK(algorithm.last_insertion().created.size() == static_cast<std::size_t>(2 * 2 * m - 4));
   }
 }

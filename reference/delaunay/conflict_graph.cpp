@@ -12,7 +12,7 @@
 
 namespace circumspect::delaunay {
 
-// The simplices that an insertion deleted, as the graph that the search goes through.
+// The simplices that an insertion deleted, as the graph that the search traverses.
 class Cavity {
  public:
   // What is on the other side of a facet of a deleted simplex: another deleted simplex or, at a
@@ -132,7 +132,8 @@ std::optional<Simplex> ConflictGraph::search(Vertex w, const Cavity& cavity, std
       }
       for (const Simplex* simplex : {&side.created, &side.beyond}) {
         const bool solid = !is_ghost(*simplex);
-        // Without weights w is in the cavity, outside or on the boundary, not within what stayed.
+        // Without weights, w is in the cavity, outside or on the boundary, but not inside a simplex
+        // that stayed.
         if (solid && simplex == &side.beyond && !points_.is_weighted()) continue;
         if (!solid && !may_be_outside) continue;
         if (has_room(*simplex, w)) return *simplex;

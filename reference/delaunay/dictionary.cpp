@@ -52,7 +52,7 @@ std::optional<Simplex> SimplexDictionary::find(
     if (!apex_in_front_.is_entry(slot)) continue;
     const OrientedFacet facet = apex_in_front_.facet(slot);
     const Vertex apex = apex_in_front_.apex(slot);
-    // Each simplex is met once for each facet; look at it where the apex is its largest vertex.
+    // Each simplex occurs once for each facet; it is reported where the apex is its largest vertex.
     if (apex < facet.vertices.back()) continue;
     if (Simplex simplex = join(facet, apex); condition(simplex)) return simplex;
   }

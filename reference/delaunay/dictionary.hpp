@@ -31,15 +31,15 @@ class SimplexDictionary {
   // there is none.
   std::optional<Vertex> adjacent(const OrientedFacet& facet) const;
 
-  // Adjacent2Vertex: some simplex that has u for a vertex; nothing if there is none. Looks first at
-  // the simplex most recently added at u, and searches all when that one has been deleted since.
+  // Adjacent2Vertex: some simplex that has the vertex u; nothing if there is none. Looks first at
+  // the simplex most recently added at u, and searches all if that one has been deleted since.
   std::optional<Simplex> adjacent_to_vertex(Vertex u) const;
 
   // Some simplex that satisfies a condition, found by a linear scan; nothing if none does.
   std::optional<Simplex> find(const std::function<bool(const Simplex&)>& condition) const;
 
-  // All simplices, each once, with ascending facets deciding the order: the same for the same
-  // contents on every machine.
+  // All simplices, each once, in ascending order of facets, so that the same contents give the same
+  // list on every machine.
   std::vector<Simplex> simplices() const;
   std::size_t size() const { return size_; }
 

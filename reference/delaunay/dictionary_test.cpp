@@ -22,8 +22,8 @@ rc::Gen<Simplex> simplex_of_dimension(std::size_t k) {
   return rc::gen::unique<Simplex>(k + 1, rc::gen::inRange<Vertex>(kGhost, 5));
 }
 
-// Are the two simplices on one side of a facet that they share? Exchanging the one's apex for the
-// other's, in its place, turns one into the other.
+// Are the two simplices on one side of a facet that they share? Replacing one apex by the other, in
+// its place, turns one simplex into the other.
 bool crowd_one_side(const Simplex& a, const Simplex& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (const Vertex apex : b) {
@@ -110,7 +110,7 @@ TEST_CASE("dictionary: a simplex at a vertex, also after the one added last is g
   CHECK(!is_ghost({0, 1, 2}));
 }
 
-// What the dictionary says of every facet and vertex, against a plain list of its simplices.
+// Compares the dictionary's answers for every facet and vertex with a plain list of its simplices.
 void check_against_list(const SimplexDictionary& dictionary, const std::vector<Simplex>& list) {
   RC_ASSERT(dictionary.size() == list.size());
   std::vector<Simplex> held = dictionary.simplices();

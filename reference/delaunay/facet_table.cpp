@@ -21,8 +21,8 @@ std::vector<Vertex> row_of(const OrientedFacet& facet, Vertex tag) {
 
 }  // namespace
 
-// Where the search for a row begins. The tag has no say: the two sides of a facet stand together, as
-// who asks for one has often just asked for the other.
+// The place where the search for a row begins. The tag does not matter, so the two sides of a facet
+// are close together: a query for one often follows a query for the other.
 std::size_t FacetTable::home(const Vertex* row) const {
   std::uint64_t hash = 0;
   for (std::size_t i = 1; i + 1 < width_; ++i) {
@@ -69,8 +69,8 @@ void FacetTable::erase(const OrientedFacet& facet) {
   const std::vector<Vertex> row = row_of(facet, facet.reversed ? kReversed : kForward);
   std::size_t hole = slot_of(row.data());
   assert(is_entry(hole));
-  // Whatever stands behind the hole, in a row without gaps, and would be looked for from the hole
-  // or from before it, moves up (Knuth's Algorithm R).
+  // Entries after the hole, up to the next gap, that would be searched from the hole or from before
+  // it move up (Knuth's Algorithm R).
   const std::size_t mask = slots_ - 1;
   for (std::size_t next = (hole + 1) & mask; is_entry(next); next = (next + 1) & mask) {
     if (((next - home(at(next))) & mask) < ((next - hole) & mask)) continue;

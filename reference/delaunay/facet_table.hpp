@@ -10,8 +10,8 @@
 namespace circumspect {
 
 // The hash table under the dictionary. Book: Section 5.1 ("store each tetrahedron four times in a
-// hash table, keyed on the oriented faces"). It is here for speed alone: with std::unordered_map in its
-// place `build delaunay` takes 45 % longer for 1,000 random points, and 180 % for 10,000.
+// hash table, keyed on the oriented faces"). It is here for speed alone: with std::unordered_map in
+// its place `build delaunay` takes 45 % longer for 1,000 random points, and 180 % for 10,000.
 
 // From oriented facets, all with the same number of vertices, to the apex in front of each. All
 // entries lie in one array, each in the first free slot from its hash value on ("open addressing
@@ -25,7 +25,7 @@ class FacetTable {
   void erase(const OrientedFacet& facet);
   std::optional<Vertex> find(const OrientedFacet& facet) const;
 
-  // The slots, for going through all entries; each is an entry or empty.
+  // The slots, for iteration over all entries; each is an entry or empty.
   std::size_t slots() const { return slots_; }
   bool is_entry(std::size_t slot) const { return *at(slot) != kEmpty; }
   OrientedFacet facet(std::size_t slot) const;

@@ -176,7 +176,7 @@ FlipRun flip_until_done(const PointSet& points, StarIndex& triangulation,
   while (!facets.empty()) {
     const Simplex facet = facets.back();
     facets.pop_back();
-    // A facet that a flip has removed since has no star.
+    // A facet that a flip has removed meanwhile has no star.
     if (is_locally_delaunay(points, triangulation, facet, test)) continue;
     auto flip = extended_flip(triangulation, flip_of_facet(points, triangulation, facet));
     if (!flip) {
@@ -186,8 +186,8 @@ FlipRun flip_until_done(const PointSet& points, StarIndex& triangulation,
     triangulation.replace(flip->deleted, flip->created);
     if (watch) watch({*flip, {}, facet});
     ++run.flips;
-    // The flip may have created what blocked others: look at them again, after the facets of the new
-    // simplices.
+    // The flip may have created simplices whose lack blocked others: look at those again, after the
+    // facets of the new simplices.
     for (BlockedFacet& blocked : run.blocked) facets.push_back(std::move(blocked.facet));
     run.blocked.clear();
     for (Simplex& changed : facets_of(flip->created)) facets.push_back(std::move(changed));
@@ -223,8 +223,8 @@ Integer most_flips(std::size_t n, std::size_t d) {
 
 namespace {
 
-// On which side of the facet opposite a vertex does u lie: 1 that vertex's, −1 beyond it, 0 on it?
-// The sign of the barycentric coordinate of u at that vertex.
+// On which side of the facet opposite a vertex does u lie? 1: the vertex's side; −1: beyond the
+// facet; 0: on it. The sign of the barycentric coordinate of u at that vertex.
 int side_of_facet(const PointSet& points, const Simplex& simplex, std::size_t place, Vertex u) {
   return orientation(points.configuration(), simplex) *
          orientation(points.configuration(), with_vertex_replaced(simplex, place, u));

@@ -1,4 +1,5 @@
-// Bistellar flips, insertion by flips, and the flip algorithm. Book: Section 4.4; Section 2.5 in the plane.
+// Bistellar flips, insertion by flips, and the flip algorithm. Book: Section 4.4; Section 2.5 in
+// the plane.
 #include <algorithm>
 
 #include <doctest/doctest.h>
@@ -13,8 +14,8 @@ namespace {
 
 using Simplices = std::vector<Simplex>;
 
-// The name of the flip that removes a facet, and what the triangulation becomes. In space the
-// procedure of Figure 4.8 must agree. Flipped back, the triangulation must be as it was.
+// The name of the flip that removes a facet, and the resulting triangulation. In space, the
+// procedure of Figure 4.8 must agree. Flipping back must restore the triangulation.
 std::string flipped(const PointSet& points, const Simplices& start, const Simplex& facet,
                     const Simplices& expected) {
   StarIndex triangulation(start);
@@ -38,7 +39,7 @@ std::string flipped(const PointSet& points, const Simplices& start, const Simple
   return extended->name();
 }
 
-// The name of the flip that parts a face with a new vertex, and what the triangulation becomes.
+// The name of the flip that splits a face with a new vertex, and the resulting triangulation.
 std::string split(const PointSet& points, const Simplices& start, const Simplex& simplex, Vertex v,
                   const Simplices& expected) {
   StarIndex triangulation(start);
@@ -50,7 +51,8 @@ std::string split(const PointSet& points, const Simplices& start, const Simplex&
   return extended->name();
 }
 
-// What blocks the flip that removes a facet, and that what blocks the book's is part of it.
+// The simplices that block the flip that removes a facet; those that block the book's procedure
+// must be among them.
 Simplices missing(const PointSet& points, const Simplices& start, const Simplex& facet) {
   StarIndex triangulation(start);
   const auto extended = extended_flip(triangulation, flip_of_facet(points, triangulation, facet));

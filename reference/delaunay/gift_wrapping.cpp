@@ -21,8 +21,8 @@ namespace circumspect::delaunay {
 // ---- Finish ----
 
 // Keeps the first candidate in front, and replaces it by any later one that lies in the open
-// circumball of the facet and the one kept. The spheres through the facet are a pencil, in which the
-// candidates in front stand in one order; the scan finds the first of them.
+// circumball of the facet and the one kept. The spheres through the facet are a pencil, in which
+// the candidates in front have a linear order; the scan finds the first of them.
 std::optional<Vertex> apex_of_facet(const PointSet& points, const std::vector<std::size_t>& axes,
                                     const OrientedFacet& facet,
                                     const std::vector<Vertex>& candidates) {
@@ -149,7 +149,7 @@ int side_of_cell(const PointSet& points, const std::vector<std::size_t>& axes, c
   return 0;
 }
 
-// Finish: the cell in front of a facet, out of the members of a flat; empty if the facet is on the
+// Finish: the cell in front of a facet, among the members of a flat; empty if the facet is on the
 // hull.
 Face cell_in_front(const PointSet& points, const std::vector<std::size_t>& axes,
                    const CellFacet& facet, const std::vector<Vertex>& members) {
@@ -228,7 +228,7 @@ Simplex oriented(const PointSet& points, const Axes& axes, Simplex simplex) {
   return simplex;
 }
 
-// What deleting v takes out of the triangulation.
+// The part of the triangulation that deleting v removes.
 struct Star {
   std::vector<Simplex> simplices;  // positively oriented
   UnfinishedFacets link;           // its facets, v in front

@@ -19,7 +19,7 @@ namespace circumspect::delaunay {
 
 // Finish: the candidate in front of the facet whose simplex with the facet has no other candidate
 // in front in its (perturbed) open circumball; nothing if none is in front. `axes` are coordinates
-// of the flat in which this happens. Candidates on the facet's own hyperplane are passed over.
+// of the flat in which this happens. Candidates on the facet's own hyperplane are skipped.
 std::optional<Vertex> apex_of_facet(const PointSet& points, const std::vector<std::size_t>& axes,
                                     const OrientedFacet& facet,
                                     const std::vector<Vertex>& candidates);
@@ -28,21 +28,20 @@ std::optional<Vertex> apex_of_facet(const PointSet& points, const std::vector<st
 // canonical triangulation that lies on the convex hull. All points on a facet of the hull have, by
 // recursion on the dimension, a canonical simplex of their own, under the perturbation in their
 // flat; this is a facet of the canonical triangulation of the whole set. The book's recipe below
-// needs a generic set without weights; this one needs nothing.
-// Requires: points.dimension() ≥ 1.
+// needs a generic set without weights; this one has no such condition. Requires: points.dimension()
+// ≥ 1.
 Simplex hull_facet_seed(const PointSet& points);
 
 // The recipe of the book: an arbitrary point, its nearest neighbour, then again and again the point
 // that minimises the radius of the smallest circumball of the simplex with one vertex more. Why it
-// works: the ball with the first edge for its diameter is empty, the neighbour being nearest. And
-// if the smallest circumball of a simplex is empty, so is that of the simplex with the best point
-// more: the balls through the simplex grow on from the empty one, within the flat that a point
-// inside the new ball would span with the simplex, and would have met that point at a smaller
-// radius.
-// Requires: points.dimension() ≥ 1; the set is generic (Definition 4.2) and not weighted.
+// works: the ball with the first edge as its diameter is empty, because the neighbour is nearest.
+// And if the smallest circumball of a simplex is empty, so is that of the simplex with the best
+// further point: the balls through the simplex grow on from the empty one, within the flat that a
+// point inside the new ball would span with the simplex, and would have met that point at a smaller
+// radius. Requires: points.dimension() ≥ 1; the set is generic (Definition 4.2) and not weighted.
 Simplex nearest_neighbour_seed(const PointSet& points);
 
-// Is told of each facet that is finished: with which apex, or that it is on the hull.
+// Called for each finished facet, with its apex, or the fact that it is on the hull.
 using FinishWatch = std::function<void(const OrientedFacet&, std::optional<Vertex>)>;
 
 // Finishes unfinished facets until none is left, and returns the simplices constructed, positively
@@ -57,8 +56,8 @@ std::vector<Simplex> gift_wrap(const PointSet& points, const std::vector<std::si
 // Any number of points, any dimension; time O(n h) for h simplices.
 Triangulation gift_wrapping(const PointSet& points, const FinishWatch& watch = {});
 
-// The same from a seed of the caller's. Requires: points.dimension() ≥ 1; the seed is a facet, a
-// (k−1)-simplex, of the canonical triangulation.
+// The same from a seed given by the caller. Requires: points.dimension() ≥ 1; the seed is a facet,
+// a (k−1)-simplex, of the canonical triangulation.
 Triangulation gift_wrapping(const PointSet& points, const Simplex& seed,
                             const FinishWatch& watch = {});
 

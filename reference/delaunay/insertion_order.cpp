@@ -99,8 +99,8 @@ std::vector<Vertex> along_curve(const PointSet& points, std::vector<Vertex> vert
 
 namespace {
 
-// A number below `bound`, all equally likely. The standard fixes what the engine returns, but not
-// what its distributions and its shuffle make of that.
+// A number below `bound`, all equally likely. The standard defines the results of the engine, but
+// not those of its distributions and its shuffle.
 std::uint64_t random_below(std::uint64_t bound, std::mt19937_64& engine) {
   const std::uint64_t remainder = (UINT64_MAX % bound + 1) % bound;  // 2^64 mod bound
   std::uint64_t number = engine();

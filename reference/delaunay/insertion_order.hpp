@@ -1,5 +1,5 @@
-// In which order to insert points: biased randomized insertion orders, along space-filling curves.
-// Book: Section 5.3.
+// Orders of insertion: biased randomized insertion orders, along space-filling curves. Book:
+// Section 5.3.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace circumspect::delaunay {
 // A cell of the grid {0, …, 2^bits − 1}^k.
 using GridCell = std::vector<std::uint64_t>;
 
-// Does the z-order curve come to cell a before cell b? It orders cells by the number that
-// interleaves the bits of their coordinates.
+// Does the z-order curve visit cell a before cell b? It orders cells by the number that interleaves
+// the bits of their coordinates.
 bool precedes_on_z_order_curve(const GridCell& a, const GridCell& b);
 
 // The cell whose place on the z-order curve is the place of `cell` on the Hilbert curve of the grid
@@ -25,9 +25,9 @@ enum class SpaceFillingCurve { kHilbert, kZOrder };
 
 // The vertices in the order in which the curve meets them. The curve runs through the grid whose
 // lines are the coordinates that occur, on the axes of the set's affine hull: coordinate x becomes
-// the number of smaller coordinates on its axis. So the order is exact and does not care how
-// unevenly the points are spread. Requires: the set names the vertices, and each has one cell of
-// its own, as points of a set have.
+// the number of smaller coordinates on its axis. So the order is exact and does not depend on how
+// evenly the points are spread. Requires: the set names the vertices, and each has a cell of its
+// own, as points of a set have.
 std::vector<Vertex> along_curve(const PointSet& points, std::vector<Vertex> vertices,
                                 SpaceFillingCurve curve);
 

@@ -15,7 +15,7 @@ class LexicographicTriangulation {
  public:
   explicit LexicographicTriangulation(const PointSet& points) : points_(points) {}
 
-  // v leaves the affine hull: the cone over everything. `axes` are coordinates of the larger hull.
+  // v is off the affine hull: joins v to everything. `axes` are coordinates of the larger hull.
   void raise_dimension(Vertex v, const std::vector<std::size_t>& axes) {
     axes_ = axes;
     if (simplices_.empty()) simplices_.push_back({});

@@ -21,8 +21,8 @@ struct HullFacet {
 
 HullFacet hull_facet(const Simplex& ghost_simplex, Simplex::const_iterator ghost) {
   const auto place = static_cast<std::size_t>(ghost - ghost_simplex.begin());
-  // The ghost is in front of its facet; bringing it to the end takes one transposition for each
-  // vertex behind it.
+  // The ghost is in front of its facet; moving it to the end takes one transposition for each
+  // vertex after it.
   const int outward = (ghost_simplex.size() - 1 - place) % 2 == 0 ? 1 : -1;
   return {facet_opposite(ghost_simplex, place), outward};
 }

@@ -12,11 +12,11 @@
 namespace circumspect::delaunay {
 
 // ---- Statistics ----
-// What an incremental insertion did, in numbers. Book: Sections 5.2, 5.4 and 5.5.
+// Statistics of an incremental insertion. Book: Sections 5.2, 5.4 and 5.5.
 
 // The simplices of the start count as created. "The total running time of the algorithm is
 // proportional to the number of tetrahedra created plus the number of conflicts created" (proof of
-// Theorem 5.4); walking has its steps in place of the conflicts.
+// Theorem 5.4); for walking, steps replace conflicts.
 struct Statistics {
   std::uint64_t solid_simplices_created = 0;
   std::uint64_t ghost_simplices_created = 0;
@@ -26,7 +26,7 @@ struct Statistics {
   std::uint64_t conflicts_created = 0;
   // How often a walk went from one simplex to the next.
   std::uint64_t walk_steps = 0;
-  // Questions whether a vertex and a simplex are in conflict, whoever asked them.
+  // The number of conflict tests between a vertex and a simplex, by any caller.
   std::uint64_t conflict_tests = 0;
 
   bool operator==(const Statistics&) const = default;
@@ -68,8 +68,8 @@ std::optional<Simplex> linear_scan(const PointSet& points, const SimplexDictiona
 //
 // Where it ends, the simplex is in conflict with q or q is submerged: the witness plane of a
 // simplex that contains q carries the lower hull over q, and q⁺ is below it or not. (Without
-// weights q⁺ is below it, as q is in the open circumball of every simplex that contains it.) A point
-// strictly in front of a hull facet is in conflict with its ghost, whatever the weights.
+// weights q⁺ is below it, as q is in the open circumball of every simplex that contains it.) A
+// point strictly in front of a hull facet is in conflict with its ghost, whatever the weights.
 //
 // Requires: the dictionary holds the canonical triangulation of some points, with its ghosts; q is
 // not one of its vertices; `start` is one of its solid simplices, positively oriented.

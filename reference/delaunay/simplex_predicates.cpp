@@ -60,7 +60,7 @@ struct Circumballs {
   std::vector<Point> directions;  // span the flat, pairwise orthogonal
 };
 
-// What is left of a vector without its components along pairwise orthogonal vectors.
+// A vector minus its components along pairwise orthogonal vectors.
 Point orthogonal_part(Point vector, const std::vector<Point>& orthogonal) {
   for (const Point& other : orthogonal) {
     const Rational factor = inner_product(vector, other) / squared_length(other);
@@ -95,8 +95,8 @@ struct RoomiestBall {
 };
 
 // The circumball that keeps the points in play as far outside as possible. Variables, all ≥ 0: the
-// steps t along the directions and their opposites, the slack and its opposite, and what each
-// inequality leaves over: Σ t descent(q) + slack ≤ power(q) for each q, and slack ≤ 1.
+// steps t along the directions and their opposites, the slack and its opposite, and the slack
+// variable of each inequality: Σ t descent(q) + slack ≤ power(q) for each q, and slack ≤ 1.
 RoomiestBall roomiest_ball(const PointSet& points, const Simplex& simplex, const Circumballs& all,
                            const Simplex& in_play) {
   const std::size_t directions = all.directions.size();
@@ -129,7 +129,7 @@ RoomiestBall roomiest_ball(const PointSet& points, const Simplex& simplex, const
   return {{centre, squared_radius}, answer.value};
 }
 
-// The point of S, no vertex of σ, with the least power; nothing if there is no other point.
+// The point of S, other than the vertices of σ, with the least power; nothing if there is none.
 std::optional<Vertex> deepest_point(const PointSet& points, const Simplex& simplex,
                                     const Ball& ball) {
   std::optional<Vertex> deepest;
@@ -176,8 +176,8 @@ Obstruction obstruction(const PointSet& points, const Simplex& simplex, const Ci
 
 }  // namespace
 
-// Points come into play one by one, always the one that the ball so far keeps out least, until the
-// ball keeps all points out as well as those in play: then no ball does better.
+// Points come into play one by one, always the point that the current ball keeps out least, until
+// the ball keeps all points out as far as those in play: then no ball does better.
 SimplexDelaunayhood delaunayhood(const PointSet& points, const Simplex& simplex) {
   const Circumballs all = circumballs(points, simplex);
   Simplex in_play;

@@ -32,9 +32,9 @@ std::optional<Simplex> cospherical_points_of_an_empty_ball(const PointSet& point
 enum class Delaunayhood { kNotDelaunay, kDelaunay, kStronglyDelaunay };
 
 // Why σ is not Delaunay, or not strongly so. The combination Σ coefficient · point lies in the
-// affine hull of σ. Of such a combination the power Σ coefficient · power(ball, point) is the same
-// for all circumballs of σ. So if it is negative, every open circumball contains one of the points;
-// if it is zero, every closed one does.
+// affine hull of σ. For such a combination, the power Σ coefficient · power(ball, point) is the
+// same for all circumballs of σ. So if it is negative, every open circumball contains one of the
+// points; if it is zero, every closed one does.
 struct Obstruction {
   Simplex points;                      // none a vertex of σ
   std::vector<Rational> coefficients;  // positive, with sum 1, one a point
@@ -55,7 +55,7 @@ bool is_delaunay(const PointSet& points, const Simplex& simplex);
 bool is_strongly_delaunay(const PointSet& points, const Simplex& simplex);
 
 // "A Delaunay triangulation of S is a triangulation of S in which every k-simplex is Delaunay."
-// Book: Definition 4.1. Requires: a triangulation of the points; none of them weighted.
+// Book: Definition 4.1. Requires: a triangulation of the points, without weights.
 bool is_delaunay(const PointSet& points, const Triangulation& triangulation);
 
 }  // namespace circumspect::delaunay

@@ -125,8 +125,8 @@ TEST_CASE("simplex predicates: the long diagonal of a rhombus, and why it is not
   const SimplexDelaunayhood answer = delaunayhood(rhombus, {0, 2});
   CHECK(answer.delaunayhood == Delaunayhood::kNotDelaunay);
   CHECK_FALSE(answer.ball.has_value());
-  // The middle of points 1 and 3 is on the diagonal, and they are 8 deep in its smallest ball: what
-  // moves out at one moves in at the other.
+  // The middle of points 1 and 3 is on the diagonal, and they are 8 deep in its smallest ball:
+  // moving the ball away from one moves it towards the other.
   CHECK(sorted(answer.obstruction->points) == Simplex{1, 3});
   CHECK(answer.obstruction->coefficients == std::vector<Rational>{Rational(1, 2), Rational(1, 2)});
   CHECK(answer.obstruction->power == -8);

@@ -13,7 +13,7 @@ namespace circumspect::existence {
 
 namespace {
 
-// A file in memory that the solver writes its proof to.
+// A file in memory to which the solver writes its proof.
 class ProofFile {
  public:
   ProofFile() : file_(open_memstream(&bytes_, &size_)) {

@@ -125,7 +125,7 @@ TEST_CASE("replay: a step that does not follow is found, and so is a proof witho
   CHECK(replay(formula, {{false, {2}}}).has_value());
   CHECK(replay({3, {{1, 2}, {-1, 2}}}, {{false, {2}}}).error().step == 1);
   CHECK(replay(formula, {{false, {}}}).error().step == 0);
-  // Deleting a clause takes away what follows from it.
+  // After deleting a clause, what follows only from it no longer follows.
   CHECK(replay(formula, {{true, {2, -1}}, {false, {2}}, {false, {}}}).error().step == 1);
   CHECK(replay(formula, {{true, {7, 8}}, {false, {2}}, {false, {}}}).has_value());
   CHECK(replay({1, {{1}, {-1}}}, {{false, {}}}).has_value());
@@ -143,7 +143,7 @@ TEST_CASE("proof files: malformed lines are named") {
   CHECK(read_refutation("1 0\n2 0\n+ 0").error().line == 3);
   CHECK(read_refutation("1 0\n2 0\n+ 0").error().found == "'+ 0'");
   CHECK(read_refutation("1 0\n\n").error().found == "''");
-  // What is shown is short, and shows itself.
+  // Quoted text is short and printable.
   CHECK(quoted("a\tb\x1b[2J\xff") == "'a?b?[2J?'");
   CHECK(quoted(std::string(41, '1')) == "'" + std::string(40, '1') + "…'");
 }
@@ -178,8 +178,8 @@ TEST_CASE("existence: Schönhardt's polyhedron has no triangulation; with a vert
   CHECK(tetrahedra(triangulation_of(with_centre)) == 8);
 }
 
-// Book: Figure 4.12. What makes it impossible is that the segments pass each other closely: at twice
-// the distance there is a triangulation.
+// Book: Figure 4.12. It is impossible because the segments pass each other closely: at twice the
+// distance there is a triangulation.
 TEST_CASE("existence: a cube with three segments has no triangulation, with two it has") {
   auto loose = generators::cube_with_three_segments();
   for (std::size_t v = 8; v < loose.points.size(); ++v) {

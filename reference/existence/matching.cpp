@@ -79,7 +79,7 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
 
 namespace {
 
-// A facet of a tetrahedron: which, and on which side of it the tetrahedron is, as the sign of the
+// A facet of a tetrahedron, and the side on which the tetrahedron is, as the sign of the
 // orientation of (facet, apex).
 struct SidedFacet {
   Simplex facet;
@@ -148,7 +148,7 @@ class Matching {
     return std::nullopt;
   }
 
-  // The side of one facet that faces as a side of another one in its plane does.
+  // The side of one facet that faces the same way as a given side of another facet in its plane.
   int same_side(const SidedFacet& facet, const Simplex& coplanar) const {
     for (Vertex v = 0; complex_.points.names(v); ++v) {
       if (const int s = side(facet.facet, v); s != 0) {
@@ -183,7 +183,7 @@ class Matching {
   // Exactly one of the tetrahedra that reach a generic point of a facet from its side.
   void cover(const SidedFacet& facet) {
     for (long weight = 1;; ++weight) {
-      // Points along a curve in the facet, of which a line meets at most three.
+      // Points along a curve in the facet; a line contains at most three of them.
       const Rational a = Rational(1, 3 + weight), b = Rational(1, 3 + weight * weight);
       const Point point = a * complex_.points[facet.facet[0]] +
                           b * complex_.points[facet.facet[1]] +
@@ -224,7 +224,7 @@ class Matching {
         const SidedFacet facet{wall, s};
         const std::size_t region = regions_.in_front_of(facet.oriented());
         if (regions_.where(region) != Where::kInside || covered.contains(region)) continue;
-        // What of a hull is in the unbounded region may be in several parts, or in none.
+        // The part of a hull in the unbounded region may have several components, or be empty.
         if (complex_.kind == DomainKind::kHull && is_on_hull(facet.other())) continue;
         if (complex_.kind == DomainKind::kEnclosed) covered.insert(region);
         cover(facet);

@@ -13,13 +13,13 @@ namespace circumspect::existence {
 // ---- Candidates ----
 // The tetrahedra that a triangulation of a complex can consist of.
 
-// Every tetrahedron with vertices of the complex that respects it, ascending, in lexicographic order.
-// A triangulation has no others (Definition 4.4), whatever its vertices' order.
-// Requires: the complex is in space.
+// Every tetrahedron with vertices of the complex that respects it, ascending, in lexicographic
+// order. A triangulation has no others (Definition 4.4), whatever its vertices' order. Requires:
+// the complex is in space.
 std::vector<Simplex> respecting_tetrahedra(const PiecewiseLinearComplex& complex,
                                            const Regions& regions);
 
-// Those of them that are constrained Delaunay, without any perturbation. Book: Definition 4.6.
+// The constrained Delaunay ones among these, without perturbation. Book: Definition 4.6.
 std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComplex& complex,
                                                      const Regions& regions);
 
@@ -27,9 +27,9 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
 
 // Variable i + 1 says that tetrahedron i is chosen. The formula is true iff the chosen ones are a
 // triangulation of the polyhedra of the complex (Definition 4.4). Its clauses:
-//  1. Of the tetrahedra on one side of a facet, at most one is chosen.
-//  2. A chosen tetrahedron has a chosen one across each of its facets that has some of the domain on
-//     its other side.
+//  1. At most one of the tetrahedra on one side of a facet is chosen.
+//  2. A chosen tetrahedron has a chosen one across each of its facets that has some of the domain
+//     on its other side.
 //  3. For each region of the domain: of the tetrahedra that reach some point on its boundary from
 //     within, exactly one is chosen.
 //
@@ -42,7 +42,7 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
 // it, on both sides of a polygon alike by 2, which leaves no room for a second one there. Each
 // segment and each vertex of the domain is covered by tetrahedra that meet it in a face, hence is a
 // face; a polygon with some of the domain beside it is a union of faces for the same reason.
-// Conversely each clause holds of every triangulation.
+// Conversely, each clause holds for every triangulation.
 //
 // Requires: every tetrahedron respects the complex; vertices ascending.
 Formula matching_formula(const PiecewiseLinearComplex& complex, const Regions& regions,

@@ -51,7 +51,7 @@ class UnitPropagation {
   void remove(Clause clause) {
     std::sort(clause.begin(), clause.end());
     const auto found = numbers_.find(clause);
-    // A unit clause stays: it costs nothing, and what holds goes on to hold.
+    // A unit clause stays: it costs nothing, and its consequences stay valid.
     if (clause.size() < 2 || found == numbers_.end()) return;
     clauses_[found->second.back()].clear();
     found->second.pop_back();
@@ -74,7 +74,8 @@ class UnitPropagation {
     return conflict;
   }
 
-  // After `refutes`: the clauses that become unit in turn, by their numbers, and the one that becomes false.
+  // After `refutes`: the clauses that become unit in turn, by their numbers, and the one that
+  // becomes false.
   const std::vector<std::size_t>& antecedents() const { return antecedents_; }
 
  private:
@@ -92,7 +93,7 @@ class UnitPropagation {
     watched_.resize(2 * values_.size());
   }
 
-  // Makes a literal true, for a clause says so; false if it is false already.
+  // Makes a literal true, as required by a clause; returns false if it is already false.
   bool assign(Literal literal, std::size_t clause) {
     cover(literal);
     if (value(literal) < 0) {
@@ -121,7 +122,7 @@ class UnitPropagation {
     std::reverse(antecedents_.begin(), antecedents_.end());
   }
 
-  // A literal has become false: looks after the clauses that watch it. False on a conflict.
+  // A literal has become false: updates the clauses that watch it. Returns false on a conflict.
   bool propagate(Literal falsified) {
     std::vector<std::size_t>& list = watches(falsified);
     std::size_t kept = 0;
@@ -147,9 +148,9 @@ class UnitPropagation {
   }
 
   std::vector<int> values_;                             // by variable: 1 true, −1 false, 0 open
-  std::vector<Literal> trail_;                          // what is true, in the order it became so
+  std::vector<Literal> trail_;                          // true literals, in the order of assignment
   std::vector<Clause> clauses_;                         // the watched literals first
-  std::map<Clause, std::vector<std::size_t>> numbers_;  // where a clause, sorted, stands
+  std::map<Clause, std::vector<std::size_t>> numbers_;  // the place of each sorted clause
   std::vector<std::vector<std::size_t>> watched_;       // by literal
   std::vector<std::size_t> units_;                      // clauses of one literal
   std::optional<std::size_t> empty_;                    // a clause of none
@@ -293,7 +294,7 @@ struct Fault {
 
 class Reader {
  public:
-  // What is wrong with a line, or nothing if it is right.
+  // The fault of a line, or nothing if it is correct.
   std::optional<Fault> read(std::string_view line) {
     std::string_view rest = line;
     const std::string_view word = next_word(rest);

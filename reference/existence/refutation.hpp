@@ -1,4 +1,4 @@
-// Formulas, proofs that one is false whatever the variables, and the files of both.
+// Formulas, proofs that a formula is unsatisfiable, and the files of both.
 #pragma once
 
 #include <optional>
@@ -28,12 +28,12 @@ struct Formula {
 bool is_satisfied(const Formula& formula, const std::vector<bool>& assignment);
 
 // ---- Refutation ----
-// Refutations: proofs that a formula is false whatever the variables, and a checker of them that
-// shares nothing with the solver that found them.
-// E. Goldberg and Y. Novikov, Verification of proofs of unsatisfiability for CNF formulas, DATE 2003.
+// Refutations: proofs that a formula is unsatisfiable, and a checker of them that shares nothing
+// with the solver that found them. E. Goldberg and Y. Novikov, Verification of proofs of
+// unsatisfiability for CNF formulas, DATE 2003.
 
-// One line of a proof in the format DRAT: a clause that follows from those before it, or one that is
-// not needed any more.
+// One line of a proof in the format DRAT: a clause that follows from those before it, or one that
+// is no longer needed.
 struct ProofStep {
   bool deletes = false;
   Clause clause;
@@ -51,35 +51,34 @@ struct MalformedProof {
   std::string found;
 };
 
-// A text from a file between quotes: no longer than a message bears, nothing in it that a terminal
-// would not show.
+// A text from a file between quotes: short enough for a message, and printable on a terminal.
 std::string quoted(std::string_view text);
 
 // Reads DRAT's text: a line a step, the clause's literals and 0, after `d` for a deletion.
 tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text);
 std::string to_text(const Refutation& refutation);
 
-// Why a proof proves nothing: the first step that does not follow (its place from 0), or as many as
-// there are steps if the empty clause does not follow from all of them.
+// Why a proof fails: the first step that does not follow (its place from 0), or the number of steps
+// if the empty clause does not follow from all of them.
 struct ProofFault {
   std::size_t step;
 };
 
 // Replays a proof. Each clause must follow from those before it by reverse unit propagation (RUP):
 // assume all of its literals false; as long as some clause has but one literal that is not false,
-// make that one true; some clause must become false. A clause that passes follows indeed, for each
-// propagation is forced; so when the empty clause passes, as a step or after the last one, nothing satisfies the formula. Deletions
-// only save time; one of a clause that is not there is ignored.
+// make that one true; some clause must become false. A clause that passes does follow, because each
+// propagation is forced; so if the empty clause passes, as a step or after the last one, nothing
+// satisfies the formula. Deletions only save time; deleting a clause that is not there is ignored.
 tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation);
 
-// A step with the clauses that become unit in turn if its literals are false, and at last the one that becomes
-// false: by their numbers from 0, the formula's before the steps'.
+// A step with the clauses that become unit in turn if its literals are false, and at last the one
+// that becomes false: by their numbers from 0, the formula's before the steps'.
 struct HintedStep {
   Clause clause;
   std::vector<std::size_t> hints;
 };
-// A proof so that nothing has to be searched when it is replayed; its last step is the empty clause. Nothing if it
-// does not replay.
+// A proof in a form that can be replayed without search; its last step is the empty clause. Nothing
+// if it does not replay.
 std::optional<std::vector<HintedStep>> with_hints(const Formula& formula,
                                                   const Refutation& refutation);
 
@@ -89,9 +88,9 @@ std::optional<std::vector<HintedStep>> with_hints(const Formula& formula,
 // The formula, after comments of one line each.
 std::string to_dimacs(const Formula& formula, const std::vector<std::string>& comments = {});
 
-// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces, each
-// of literals and a 0, on lines as they like. The header's counts are not trusted: they must agree
-// with what follows, and nothing is reserved for them.
+// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces,
+// each of literals and a 0, on lines as they like. The header's counts are not trusted: they must
+// agree with what follows, and no memory is reserved for them.
 tl::expected<Formula, MalformedProof> read_dimacs(std::string_view text);
 
 }  // namespace circumspect::existence

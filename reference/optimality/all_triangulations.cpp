@@ -42,7 +42,7 @@ std::vector<Simplex> simplicial_complex(const Triangulation& triangulation) {
 
 namespace {
 
-// Where a point is with respect to a closed simplex of full dimension.
+// The position of a point with respect to a closed simplex of full dimension.
 struct Location {
   bool is_inside = true;
   bool is_on_some_facet_hyperplane = false;
@@ -60,7 +60,7 @@ Location locate(const PointSet& points, const Simplex& simplex, Vertex q) {
 }
 
 // The simplices that a triangulation may consist of: all that are not degenerate and, if all points
-// are to be vertices, contain no point but their own vertices.
+// must be vertices, contain no point except their own vertices.
 std::vector<Simplex> eligible_simplices(const PointSet& points, VertexUse use) {
   std::vector<Simplex> eligible;
   Simplex subset = first_subset(static_cast<std::size_t>(points.dimension()) + 1);
@@ -148,7 +148,7 @@ class ExhaustiveSearch {
     return orientation(points_.configuration(), facet);
   }
 
-  // Does the convex hull of the points go on beyond this side of a facet?
+  // Does the convex hull of the points extend beyond this side of a facet?
   bool has_points_beyond(const FacetSide& one) {
     const auto [entry, is_new] = has_points_beyond_.try_emplace(one, false);
     for (Vertex q = 0; is_new && points_.names(q) && !entry->second; ++q) {
@@ -163,7 +163,7 @@ class ExhaustiveSearch {
     return *known;
   }
 
-  // Adds a simplex to those chosen, goes on, and takes it away again.
+  // Adds a simplex to those chosen, continues, and removes it again.
   void add(std::size_t simplex, std::set<FacetSide> uncovered) {
     for (const FacetSide& covered : sides(simplices_[simplex])) {
       const FacetSide other{covered.facet, -covered.side};

@@ -1,4 +1,4 @@
-// What Delaunay triangulations make small. Book: Section 4.3.
+// What Delaunay triangulations minimise. Book: Section 4.3.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ std::optional<std::vector<Rational>> barycentric_coordinates(const PointSet& poi
                                                              const Simplex& simplex,
                                                              const Point& p);
 
-// The same of the point of the simplex's affine hull that is nearest to p.
-// Requires: the simplex affinely independent, not empty.
+// The same for the point of the simplex's affine hull that is nearest to p. Requires: the simplex
+// affinely independent, not empty.
 std::vector<Rational> coordinates_of_projection(const PointSet& points, const Simplex& simplex,
                                                 const Point& p);
 
@@ -27,13 +27,13 @@ std::vector<Rational> coordinates_of_projection(const PointSet& points, const Si
 Point combination(const PointSet& points, const Simplex& simplex,
                   const std::vector<Rational>& coefficients);
 
-// None of the coefficients is negative: the combination is a point of the simplex.
+// Are all coefficients nonnegative, so that the combination is a point of the simplex?
 bool is_convex(const std::vector<Rational>& coefficients);
 
 // ---- Criteria ----
 
 // 𝒯⁺(p): the height over p of the triangulation lifted to |v|² − weight(v) at each vertex v;
-// nothing if p is in none of its simplices.
+// nothing if p is not in any of its simplices.
 std::optional<Rational> lifted_height(const PointSet& points, const Triangulation& triangulation,
                                       const Point& p);
 
@@ -56,8 +56,8 @@ GreatestError greatest_interpolation_error(const PointSet& points, const Simplex
 GreatestError greatest_interpolation_error(const PointSet& points,
                                            const Triangulation& triangulation);
 
-// ∫ 𝒯⁺ times (k+1)! over the coordinate axes of the hull. Two triangulations of one point set
-// differ in it as they differ in the norm ‖e‖_{L₁}. Requires: k = points.dimension().
+// ∫ 𝒯⁺ times (k+1)! over the coordinate axes of the hull. For two triangulations of the same point
+// set, it differs exactly as the norm ‖e‖_{L₁} does. Requires: k = points.dimension().
 Rational lifted_integral(const PointSet& points, const Triangulation& triangulation);
 
 // The point of a simplex that is nearest to p. Requires: the simplex affinely independent.

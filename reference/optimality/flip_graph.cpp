@@ -15,7 +15,8 @@ namespace circumspect::optimality {
 
 namespace {
 
-// The last point in barycentric coordinates of the others, if it has such and none is zero.
+// The barycentric coordinates of the last point with respect to the others, if they exist and none
+// is zero.
 std::optional<Circuit> circuit_of(const PointSet& points, const Simplex& subset) {
   const Simplex others(subset.begin(), subset.end() - 1);
   const auto coefficients = barycentric_coordinates(points, others, points[subset.back()]);
@@ -48,7 +49,7 @@ std::vector<Circuit> circuits(const PointSet& points) {
 
 namespace {
 
-// What is joined to a face in the simplices that have it.
+// The simplices that are joined to a face in the simplices that have it.
 std::vector<Simplex> link(const Triangulation& triangulation, const Simplex& face) {
   std::vector<Simplex> joined;
   for (const Simplex& simplex : triangulation.simplices()) {
@@ -62,7 +63,7 @@ std::vector<Simplex> link(const Triangulation& triangulation, const Simplex& fac
   return joined;
 }
 
-// Each of the simplices on all points but one, that one taken from `left_out`.
+// The simplices on all points except one, for each point of `left_out` as the exception.
 std::vector<Simplex> leaving_out_one(const Simplex& all, const Simplex& left_out) {
   std::vector<Simplex> simplices;
   for (const Vertex v : left_out) {

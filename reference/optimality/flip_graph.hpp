@@ -16,8 +16,8 @@ namespace circumspect::optimality {
 
 // A circuit: a minimal affinely dependent set of points, the vertex set W of a (lower-dimensional)
 // basic flip. The points of both parts are affinely dependent, those of no proper subset are. The
-// sign says on which side of the one dependence a point stands: the two parts are what Radon's
-// theorem divides the set into, conv(positive) meets conv(negative) in one point.
+// sign is that of a point's coefficient in the dependence: the two parts are those of Radon's
+// theorem, and conv(positive) meets conv(negative) in one point.
 struct Circuit {
   Simplex positive;  // ascending
   Simplex negative;  // ascending
@@ -40,7 +40,7 @@ struct FlipGraph {
   std::vector<Triangulation> triangulations;         // ascending, as in all_triangulations
   std::vector<std::vector<std::size_t>> neighbours;  // of each triangulation, ascending
 
-  // The sets of triangulations that flips connect, as one number a triangulation, from 0.
+  // The connected components under flips, as one number for each triangulation, from 0.
   std::vector<std::size_t> components() const;
   bool is_connected() const;
 };

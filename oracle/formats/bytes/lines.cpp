@@ -241,7 +241,7 @@ Status NumberedLines::check_index() {
 }
 
 std::size_t NumberedLines::lines_at_most() const {
-  // A column is at least one character and what separates it from the next.
+  // A column takes at least one character and a separator.
   const std::size_t fit =
       lines_.bytes_left() / (2 * std::clamp<std::size_t>(columns_, 1, lines_.bytes_left() + 1)) + 1;
   return std::min(count_ - done_, fit);

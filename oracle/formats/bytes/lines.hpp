@@ -20,8 +20,8 @@ namespace circumspect::formats {
 
 // ---- Lines ----
 
-// A number of more characters is refused: exact arithmetic on it would outlast any patience. Every
-// double has an exact decimal of fewer.
+// Numbers of more characters are refused, because exact arithmetic on them would take too long.
+// Every double has a shorter exact decimal.
 inline constexpr std::size_t kLongestNumber = 10000;
 
 // Is the token this word, in letters of any case? Requires: the word is in small letters.
@@ -31,8 +31,9 @@ bool is_word(std::string_view token, std::string_view word);
 // one and does not fit 64 bits, invalid_argument otherwise.
 std::errc parse_integer(std::string_view token, Vertex& value);
 
-// A count that a file states. Where std::size_t has 32 bits, more than 2^31 − 1 is as many, so that some more may be
-// added: there is no such file, and the reader finds that its end comes too early. Requires: value >= 0.
+// A count that a file states. If std::size_t has 32 bits, a count above 2^31 − 1 is replaced by
+// 2^31 − 1, so that a little may be added to it without overflow: no such file exists, and the
+// reader finds that it ends too early. Requires: value >= 0.
 constexpr std::size_t count_of(Vertex value) {
   return static_cast<std::size_t>(std::min<std::uint64_t>(
       static_cast<std::uint64_t>(value), std::numeric_limits<std::size_t>::max() / 2));
@@ -43,8 +44,8 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
 
 // Walks over the lines that have tokens on them. Blanks separate tokens, '#' starts a comment, a
 // carriage return is a blank, the last line needs no end, a byte order mark is skipped. All other
-// bytes belong to tokens. `end`: what ends a line; where that is a carriage return, it is not a
-// blank. Requires: the source outlives this object and the tokens.
+// bytes belong to tokens. `end`: the character that ends a line; if that is a carriage return, it
+// is not a blank. Requires: the source outlives this object and the tokens.
 class Lines {
  public:
   explicit Lines(const Source& source, char end = '\n');
@@ -62,7 +63,7 @@ class Lines {
 
   // An error that names the file and the current line.
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const;
-  // The same where the token of a column is not what was expected.
+  // The same for a token of a column that is not what was expected.
   tl::unexpected<FormatError> fail_at(std::size_t column, std::string expected) const;
 
   // The token of a column, converted; `what` names it in the error. Requires: column < size().
@@ -86,22 +87,22 @@ class Lines {
 
 // ---- Rows ----
 
-// With blanks between them; numbers so that reading them as doubles gives the same ones.
+// Writes rows separated by blanks; reading the numbers as doubles gives the same numbers.
 std::string joined(const std::vector<Rational>& numbers);
 std::string joined(const std::vector<Vertex>& indices);
 
 // ---- Numbered lines ----
-// What the files of Triangle and TetGen have in common: a header that begins with a count, then
+// The form that the files of Triangle and TetGen share: a header that begins with a count, then
 // that many lines, each beginning with its index. Indices go up by one from whatever the first is.
 // Some files hold several such lists.
 
 class NumberedLines {
  public:
-  // `one` and `many` name what stands on a line: "point", "points". Requires: as for Lines.
+  // `one` and `many` name the content of a line: "point", "points". Requires: as for Lines.
   NumberedLines(const Source& source, std::string one, std::string many);
 
-  // Reads the header and its count, and checks how many numbers stand in it. `layout` describes it
-  // in errors.
+  // Reads the header and its count, and checks how many numbers it has. `layout` describes it in
+  // errors.
   Status read_header(const std::string& layout, std::size_t fewest, std::size_t most);
   // A further number of the header; 0 if it was left out. Requires: no line was read yet.
   Result<std::size_t> header_count(std::size_t column, std::string_view what) const;
@@ -111,7 +112,7 @@ class NumberedLines {
                                     std::size_t most);
   // Goes on to the next list of the same file, whose header is still to be read.
   void begin_list(std::string one, std::string many);
-  // The indices of this list are not referred to: any integers will do.
+  // Nothing refers to the indices of this list, so any integers are allowed.
   void allow_any_index() { any_index_ = true; }
 
   // How many columns every line has, its index among them; `meaning` explains them in errors.
@@ -123,14 +124,14 @@ class NumberedLines {
   // Goes to the next line and checks its index and its number of columns. False after the last
   // one, when nothing follows it. Too few lines and too many are errors.
   Result<bool> next();
-  // The same where something may follow the last line.
+  // The same if something may follow the last line.
   Result<bool> next_in_list();
-  // That nothing follows.
+  // Requires that nothing follows.
   Status expect_end();
 
   const Lines& lines() const { return lines_; }
   Lines& lines() { return lines_; }
-  // What the header announces.
+  // The count in the header.
   std::size_t count() const { return count_; }
   // The index of the first line; 0 if there is none.
   Vertex first_index() const { return first_index_; }

@@ -183,7 +183,7 @@ Result<std::size_t> MixedText::count_in_text(std::string_view what) {
 
 Status MixedText::skip_numbers(NumberType type, std::size_t count, std::string_view what) {
   if (is_binary()) {
-    // The count may be anything: no product of it before it is known to be small.
+    // The count may be anything, so it is not multiplied before it is known to be small.
     if (count <= bytes_left() / type.size && skip_bytes(count * type.size)) return {};
     skip_bytes(bytes_left());
     return fail(std::string(what), "the end of the data");

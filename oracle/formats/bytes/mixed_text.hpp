@@ -1,5 +1,5 @@
-// A file of words in text and numbers that may be binary: Gmsh's .msh, VTK's legacy files, and the arrays of
-// VTK's XML files.
+// A file of words in text and numbers that may be binary: Gmsh's .msh, VTK's legacy files, and the
+// arrays of VTK's XML files.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace circumspect::formats {
 
 // ---- Bytes ----
-// The bytes of a binary file, taken from the front: nothing beyond the end is ever touched.
+// The bytes of a binary file, read from the front; nothing beyond the end is ever touched.
 
 enum class ByteOrder { kLittleEndian, kBigEndian };
 
@@ -41,10 +41,10 @@ std::int64_t as_signed(std::uint64_t bits, std::size_t size);
 std::optional<Rational> as_floating(std::uint64_t bits, std::size_t size);
 
 // ---- Mixed text ----
-// A file whose words stand in text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
+// A file whose words are text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
 // arrays of its XML files. Words and numbers follow one another, wherever lines end.
 
-// How a number is stored where it is binary; in text it says whether it is an integer.
+// How a binary number is stored; for text it says whether the number is an integer.
 struct NumberType {
   enum class Kind { kSigned, kUnsigned, kFloating } kind = Kind::kSigned;
   std::size_t size = 0;  // in bytes: 1, 2, 4 or 8; a floating one has 4 or 8
@@ -55,51 +55,52 @@ inline constexpr NumberType kFloat64{NumberType::Kind::kFloating, 8};
 
 class MixedText {
  public:
-  // `first_line`: the line of the file on which the text begins. Requires: the text outlives this object.
+  // `first_line`: the line of the file on which the text begins. Requires: the text outlives this
+  // object.
   MixedText(std::string name, std::string_view text, NumberReading reading,
             std::size_t first_line = 1);
 
-  // From here on numbers are binary, or text again. Words are text always.
+  // From here on numbers are binary, or text again. Words are always text.
   void set_binary(std::optional<ByteOrder> order) { binary_ = order; }
   bool is_binary() const { return binary_.has_value(); }
 
-  // The word that was read last begins a section: errors behind binary numbers say in which they
-  // are, and on which line it begins. (As editors count lines: whatever bytes stand between their
-  // ends.)
+  // The word that was read last begins a section: errors after binary numbers name the section, and
+  // the line on which it begins. (Lines are counted as editors count them, whatever bytes are
+  // between line ends.)
   void begin_section();
 
   // The next word; empty at the end. Blanks and ends of lines are skipped.
   std::string_view word();
-  // The next word, still to be read.
+  // The next word, which remains to be read.
   std::string_view peek();
-  // What is left of the current line, which is read over.
+  // Skips and returns the rest of the current line.
   std::string_view rest_of_line();
-  // Reads over everything up to behind this text, where it begins a line or, if it need not, wherever it comes
-  // first; false if it never does.
+  // Skips everything up to the end of this text, at its first occurrence at the beginning of a line
+  // or, if that is not required, anywhere; false if there is none.
   bool skip_behind(std::string_view text, bool begins_line);
-  // Reads over so many bytes; false if there are not as many.
+  // Skips so many bytes; false if there are fewer.
   bool skip_bytes(std::size_t count);
-  // Are there no bytes left, or blanks alone where numbers are text?
+  // Are no bytes left or, if numbers are text, only blanks?
   bool is_at_end();
   std::size_t bytes_left() const { return text_.size() - at_; }
 
-  // The next number; `what` names it in errors. A finite one, if it is floating; an integer, text or binary,
-  // that fits 64 bits.
+  // The next number; `what` names it in errors. A floating one must be finite; an integer, text or
+  // binary, must fit 64 bits.
   Result<Rational> number(NumberType type, std::string_view what);
   Result<Vertex> integer(NumberType type, std::string_view what);
   Result<std::size_t> count(NumberType type, std::string_view what);
-  // In text, whatever the numbers are.
+  // Read as text, even if numbers are binary.
   Result<std::size_t> count_in_text(std::string_view what);
-  // Reads over so many numbers, which are not looked at.
+  // Skips so many numbers without looking at them.
   Status skip_numbers(NumberType type, std::size_t count, std::string_view what);
 
   const std::string& name() const { return name_; }
-  // The line of what was read last; 0 behind binary numbers.
+  // The line of what was read last; 0 after binary numbers.
   std::size_t line() const { return was_binary_ ? 0 : word_line_; }
-  // An error that names the place of what was read last: its line or, behind binary numbers, its
+  // An error that names the place of what was read last: its line or, after binary numbers, its
   // byte and its section.
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const;
-  // The same where the word that was read last is not what was expected.
+  // The same if the word that was read last is not what was expected.
   tl::unexpected<FormatError> fail_at_word(std::string expected) const;
 
  private:
@@ -114,12 +115,12 @@ class MixedText {
   std::size_t at_ = 0;
   std::size_t line_;
   std::string_view word_;       // read last
-  std::size_t word_line_;       // on which it stands
-  std::size_t read_at_ = 0;     // where what was read last begins
+  std::size_t word_line_;       // its line
+  std::size_t read_at_ = 0;     // where the item that was read last begins
   std::string section_;         // its first word; empty before any
-  std::size_t section_at_ = 0;  // where that stands
+  std::size_t section_at_ = 0;  // where that word is
   std::size_t first_line_;
-  bool was_binary_ = false;  // lines cannot be counted any more
+  bool was_binary_ = false;  // lines can no longer be counted
 };
 
 }  // namespace circumspect::formats

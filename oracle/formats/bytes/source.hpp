@@ -1,4 +1,5 @@
-// The text of a file with access to its bytes, and the error of a reader: one line that people understand.
+// The text of a file with access to its bytes, and the error of a reader, which is one line for
+// people.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +26,11 @@ struct FormatError {
 template <class T>
 using Result = tl::expected<T, FormatError>;
 
-// Success, or what is wrong.
+// Success, or the error.
 using Status = Result<void>;
 
-// Bytes of a file as a message may show them: in quotes, cut after kLongestQuote characters, and
-// everything that is not printable ASCII written as \xNN.
+// Bytes of a file as a message may show them: in quotes, truncated after kLongestQuote characters,
+// with everything that is not printable ASCII written as \xNN.
 inline constexpr std::size_t kLongestQuote = 40;
 std::string quote(std::string_view bytes);
 
@@ -45,20 +46,20 @@ struct Source {
 // file that is not there or may not be read is an error that says so.
 Result<Source> load(const std::string& path);
 
-// Does a file, of whatever kind, stand at this path?
+// Is there a file, of whatever kind, at this path?
 bool exists(const std::string& path);
 
-// Is it one whose bytes stay where they are: no pipe, device or folder?
+// Is it a regular file, and not a pipe, device or folder?
 bool is_regular(const std::string& path);
 
 // ---- Random access ----
-// The bytes of a file at any place: what lets several threads read one file at once.
+// Access to the bytes of a file at any place, so that several threads can read one file at once.
 
-// A regular file, or a text in memory. Bytes are copied out, not mapped: a file that another program
-// cuts off or changes meanwhile is then a failed read or other bytes, never a signal.
+// A regular file, or a text in memory. Bytes are copied, not mapped: if another program truncates
+// or changes the file meanwhile, a read fails or gives other bytes, but no signal is raised.
 class RandomAccess {
  public:
-  // None if it is not a regular file, or may not be read. Who wants to know why asks load().
+  // Nothing if it is not a regular file, or may not be read; load() says why.
   static std::optional<RandomAccess> open(const std::string& path);
   // Requires: the text outlives this object.
   explicit RandomAccess(std::string_view text) : text_(text), size_(text.size()) {}
@@ -69,11 +70,11 @@ class RandomAccess {
   RandomAccess& operator=(RandomAccess&&) = delete;
   ~RandomAccess();
 
-  // As it was when the file was opened.
+  // The size when the file was opened.
   std::size_t size() const { return size_; }
 
-  // Copies `count` bytes from `offset` on; false if there are not as many. Any number of threads may
-  // call this at once. Requires: `to` has room.
+  // Copies `count` bytes from `offset` on; false if there are not as many. Any number of threads
+  // may call this at once. Requires: `to` has room.
   bool read(std::size_t offset, std::size_t count, char* to) const;
 
  private:

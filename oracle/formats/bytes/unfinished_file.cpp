@@ -17,17 +17,18 @@ namespace {
 
 constexpr std::array kSignals = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
 
-// The names of files that are being written, of those that have one: some threads may write one each.
+// The names of unfinished files that have a name; several threads may write one each.
 std::array<std::atomic<const char*>, 64> names_to_remove = {};
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
-// Only what may be called in a handler. The signal's own meaning is back by then: it ends the command.
+// Calls only async-signal-safe functions. The signal's default action has been restored by then: it
+// ends the command.
 void remove_and_end(int number) {
   remove_unfinished_files();
   raise(number);
 }
 
-// Who ignores a signal, or does something else about it, is not in our way.
+// A signal that is ignored or handled by someone else is left alone.
 void set_handlers() {
   for (const int number : kSignals) {
     struct sigaction present {};
@@ -58,7 +59,7 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
-// A name beside the file, so that it can be renamed, which nobody knows beforehand.
+// An unpredictable name beside the file, so that it can be renamed.
 std::string hidden_name(const std::string& path) {
   std::uint64_t number = 0;
   if (getrandom(&number, sizeof(number), 0) < 0) number = static_cast<std::uint64_t>(getpid());
@@ -67,7 +68,7 @@ std::string hidden_name(const std::string& path) {
   return folder_of(path) + "/" + name;
 }
 
-// No signal ends this thread meanwhile.
+// Signals are blocked in this thread meanwhile.
 class WithoutSignals {
  public:
   WithoutSignals() {
@@ -105,7 +106,7 @@ bool FileBuffer::write_out() {
 
 UnfinishedFile::UnfinishedFile(std::string path) : path_(std::move(path)), stream_(&buffer_) {
   const int flags = O_WRONLY | O_CLOEXEC;
-  // A file without a name gets one through its place in /proc.
+  // An anonymous file gets a name through its entry in /proc.
   if (access("/proc/self/fd", X_OK) == 0) {
     buffer_.file = open(folder_of(path_).c_str(), O_TMPFILE | flags, 0666);
   }
@@ -149,7 +150,8 @@ bool UnfinishedFile::give_name() {
   };
   if (link_as(path_)) return true;
   if (errno != EEXIST) return false;
-  // No call replaces a file by one without a name: it has another name first, for a moment.
+  // No system call replaces a file by an anonymous one, so it gets another name first, for a
+  // moment.
   const WithoutSignals undisturbed;
   const std::string passing = hidden_name(path_);
   if (!link_as(passing)) return false;
@@ -163,7 +165,7 @@ bool UnfinishedFile::give_name() {
 int UnfinishedFile::finish(bool to_disk) {
   stream_.flush();
   if (buffer_.failure == 0 && !stream_)
-    buffer_.failure = EIO;  // whoever wrote says that it is not all
+    buffer_.failure = EIO;  // the writer reports that the file is incomplete
   if (buffer_.failure == 0 && to_disk && fsync(buffer_.file) != 0) buffer_.failure = errno;
   if (buffer_.failure == 0 && !give_name()) buffer_.failure = errno;
   return buffer_.failure;

@@ -1,4 +1,4 @@
-// A file that appears complete or not at all: it gets its name when it is complete.
+// A file that appears complete or not at all, because it gets its name when it is complete.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace circumspect::formats {
 
-// Writes to a file that is open, and remembers why that failed.
+// Writes to an open file, and remembers why that failed.
 class FileBuffer : public std::streambuf {
  public:
   FileBuffer() { setp(block_.data(), block_.data() + block_.size()); }
 
   int file = -1;
-  int failure = 0;  // errno of what failed first
+  int failure = 0;  // errno of the first failure
 
  protected:
   int_type overflow(int_type c) override;
@@ -26,20 +26,21 @@ class FileBuffer : public std::streambuf {
   std::array<char, 1 << 14> block_ = {};
 };
 
-// What is written goes to a file without a name (O_TMPFILE), of which nothing is left however this process ends.
-// Where the file system has none, it has a name that nobody can know beforehand, and a signal that ends this
-// process removes it first. Nothing that has a name is followed, opened or emptied.
+// Writes to an anonymous file (O_TMPFILE), which vanishes with the process, however it ends. If the
+// file system does not support these, the file has an unpredictable name, and a signal that ends
+// this process removes it first. No existing file or link is followed, opened or truncated.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(std::string path);
-  // Removes what was not finished.
+  // Removes the file if it was not finished.
   ~UnfinishedFile();
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
   std::ostream& stream() { return stream_; }
-  // Gives the file its name; `to_disk`: after all of it is on the disk. Returns 0, or errno
-  // of what was not possible: then what had that name before still has it. Nothing may be written afterwards.
+  // Gives the file its name; `to_disk`: after all of it is on the disk. Returns 0, or errno of the
+  // call that failed: then the name still belongs to the previous file, if any. Nothing may be
+  // written afterwards.
   int finish(bool to_disk = false);
 
  private:
@@ -52,14 +53,15 @@ class UnfinishedFile {
   std::ostream stream_;
 };
 
-// Writes a whole text so; it is on the disk afterwards. Returns 0, or errno of what was not possible.
+// Writes a whole text in this way; it is on the disk afterwards. Returns 0, or errno of the call
+// that failed.
 int write_whole_file(const std::string& path, const std::string& text);
 
-// For who ends at once: removes what UnfinishedFile would have. May be called by the handler of a signal.
+// Removes all unfinished files, for a process that ends at once. May be called in a signal handler.
 void remove_unfinished_files();
 
-// From now on writing beyond a limit on the size of files is an error like a full disk, and does not
-// end the command. (Programs that the command starts get the signal all the same.)
+// From now on, exceeding a limit on file size is an error like a full disk, and does not end the
+// command. (Programs that the command starts still get the signal.)
 void let_writing_fail_at_file_limits();
 
 }  // namespace circumspect::formats

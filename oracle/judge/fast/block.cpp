@@ -6,7 +6,7 @@
 #include "oracle/judge/fast/predicates/filter.hpp"
 
 // Each loop is written once, as a function that is always inlined, and compiled for several widths
-// by functions that do nothing but call it.
+// by functions that only call it.
 namespace circumspect::fast {
 namespace {
 
@@ -156,7 +156,7 @@ CIRCUMSPECT_KERNELS(avx512, __attribute__((target("avx512f,avx512dq,avx512bw,avx
 #endif
 #undef CIRCUMSPECT_KERNELS
 
-// The widest first.
+// The widest comes first.
 template <std::size_t kDimension>
 constexpr std::array kAllKernels = {
 #ifdef __x86_64__

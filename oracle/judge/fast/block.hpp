@@ -1,9 +1,9 @@
 // Simplices side by side, so that vector instructions look at several of them at a time.
 //
-// The arithmetic is that of filter.hpp, inlined into loops over lanes that a compiler
-// vectorizes: the very operations in the very order, each rounded by itself, for which the bounds
-// are proved (law F5 of predicates.hpp; block_test.cpp compares every bit). Only the width of the
-// instructions depends on the machine.
+// The arithmetic is that of filter.hpp, inlined into loops over lanes that a compiler vectorizes:
+// exactly the operations for which the bounds are proved, in the same order, each rounded by itself
+// (law F5 of predicates.hpp; block_test.cpp compares every bit). Only the width of the instructions
+// depends on the machine.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace circumspect::fast {
 
-// What one phase of the sweep asks the caches for is there in the next.
+// One phase of the sweep prefetches what the next one needs.
 inline constexpr std::size_t kBlock = 32;
 
 template <typename T>
@@ -44,13 +44,13 @@ struct alignas(64) SimplexBlock {
   Lanes<std::int64_t> own{};                              // the orientation that is expected
   std::array<double, kDimension> low{}, high{};           // the box of the sample point
 
-  // By `simplices`: what SimplexFilter has of each; …
+  // Set by `simplices`: the contents of SimplexFilter for each; …
   std::array<Lanes<double>, kDimension + 1> cofactors{};
   std::array<Lanes<double>, kDimension + 1> scales{};
   Lanes<std::int64_t> orientation{};  // a sign or kUncertain
   Lanes<std::int64_t> apart{};        // 1 if that box does not touch the simplex's
-  bool as_expected = false;           // all are oriented so, and apart
-  // … by `balls`: −1, 0, 1 or kUncertain, as Ball::contains; without meaning where there is no
+  bool as_expected = false;           // all have this orientation, and are apart
+  // … set by `balls`: −1, 0, 1 or kUncertain, as Ball::contains; meaningless where there is no
   // apex.
   std::array<Lanes<std::int64_t>, kVertices> inside{};
 
@@ -67,7 +67,7 @@ struct alignas(64) RowBlock {
   std::array<Lanes<Index>, kVertices> rows{};
   std::array<std::array<Lanes<Index>, kVertices>, kVertices> beyond{};  // opposite each vertex
   std::array<Lanes<Index>, kVertices> apex{};  // by `fit`: the vertex of that off the facet
-  // By `fit`: −1 if the facet is not shared, else the place of that vertex, plus kOdd if the
+  // Set by `fit`: −1 if the facet is not shared, else the place of that vertex, plus kOdd if the
   // permutation is odd (facet_across.hpp).
   std::array<Lanes<Index>, kVertices> fits{};
 
@@ -78,7 +78,8 @@ struct alignas(64) RowBlock {
 template <std::size_t kDimension>
 struct BlockKernels {
   const char* name;
-  // Cofactors and all that follows from the simplices alone; `weighted`: heights with weights.
+  // Cofactors and everything else that depends on the simplices alone; `weighted`: heights with
+  // weights.
   void (*simplices)(SimplexBlock<kDimension>&, bool weighted, Lattice);
   void (*balls)(SimplexBlock<kDimension>&, bool weighted, Lattice);
   void (*fit_32)(RowBlock<kDimension + 1, std::int32_t>&);
@@ -88,7 +89,7 @@ struct BlockKernels {
   void fit(RowBlock<kDimension + 1, std::int64_t>& block) const { fit_64(block); }
 };
 
-// Those that run on this machine, the widest first. All give the same results.
+// The versions that run on this machine, the widest first. All give the same results.
 template <std::size_t kDimension>
 std::span<const BlockKernels<kDimension>> block_kernels();
 

@@ -1,5 +1,5 @@
-// The loops over lanes compute, to the last bit, what filter.hpp computes for one simplex:
-// law F5 of predicates.hpp holds for them. For every width of vectors that this machine has.
+// For every width of vectors that this machine has, the loops over lanes compute, to the last bit,
+// what filter.hpp computes for one simplex: law F5 of predicates.hpp holds for them.
 #include "oracle/judge/fast/block.hpp"
 
 #include <algorithm>

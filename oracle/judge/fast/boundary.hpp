@@ -1,5 +1,5 @@
-// Condition 2, and the part of condition 3 about boundary facets (docs/theory/points.md). docs/theory/fast.md says
-// what must be verified before.
+// Condition 2, and the part of condition 3 about boundary facets (docs/theory/points.md).
+// docs/theory/fast.md says what must be verified first.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +21,15 @@ namespace circumspect::fast {
 
 // ---- Hinge ----
 
-// Two boundary facets at a ridge: do they make no reflex angle, and are not folded? Each is the simplex that has
-// it as a row: the vertices of the ridge, in one order for both, that of the facet off it, that off the facet.
-// Requires: no row is flat.
+// Are two boundary facets at a ridge neither at a reflex angle nor folded? Each is given as a row
+// of its simplex: the vertices of the ridge, in the same order for both, then the facet's vertex
+// off the ridge, then the simplex's vertex off the facet. Requires: no row is flat.
 template <std::size_t kDimension>
 bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimension>& b,
                            Stages& stages) {
   constexpr std::size_t kFar = kDimension - 1, kApex = kDimension;
-  // On which side of the facet of a row is the far vertex of the other? 1: on that of its simplex.
+  // On which side of the facet of a row is the far vertex of the other row? 1: on the side of its
+  // simplex.
   const auto side = [&stages](const SiteRow<kDimension>& row, const SiteRow<kDimension>& other) {
     return orientation_with<kDimension>(row, kApex, other[kFar], stages) *
            orientation<kDimension>(row, stages);
@@ -36,7 +37,8 @@ bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimensio
   const int side_of_b = side(a, b);
   if (side_of_b < 0 || side(b, a) < 0) return false;
   if (side_of_b > 0) return true;
-  // In one hyperplane. That through the ridge and the vertex off it has the far vertices on either side.
+  // They are in one hyperplane. The hyperplane through the ridge and the simplex's vertex must
+  // separate the far vertices.
   return orientation<kDimension>(a, stages) !=
          orientation_with<kDimension>(a, kFar, b[kFar], stages);
 }
@@ -46,7 +48,7 @@ bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimensio
 template <std::size_t kDimension, typename Index, typename Link>
 class Boundary {
  public:
-  // `lattice`: one that all vertices lie on, if that is known.
+  // `lattice`: one that contains all vertices, if such a lattice is known.
   Boundary(const MeshView<kDimension, Index>& mesh, Links<Link> links,
            const Orientations& orientations, const SamplePoint<kDimension>& sample,
            Lattice lattice = {})
@@ -57,8 +59,8 @@ class Boundary {
         lattice_(lattice) {}
 
   // Facets without a link, each as simplex · (d + 1) + place of the vertex opposite: is the sample
-  // point strictly on their inner sides, and does the boundary make no reflex angle at their
-  // ridges? Of the two facets at a ridge one asks.
+  // point strictly on their inner sides, and does the boundary have no reflex angle at their
+  // ridges? Only one of the two facets at a ridge asks.
   std::optional<Undecided> judge(std::span<const FacetId> facets, Stages& stages) const {
     constexpr std::size_t kFacets = 64;
     std::optional<Undecided> found;
@@ -75,8 +77,8 @@ class Boundary {
   // facet.
   struct Turn {
     FacetId facet;        // where it began
-    std::size_t simplex;  // where it is
-    Index leaves;         // the vertex opposite the facet through which it goes on
+    std::size_t simplex;  // its current place
+    Index leaves;         // the vertex opposite the facet through which it continues
     Index ridge;          // the vertices of the ridge, xor
     Index far = 0;        // at its end: the vertex off the ridge of the other boundary facet
   };
@@ -113,14 +115,15 @@ class Boundary {
     return row;
   }
 
-  // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the other
-  // backwards. Forwards: from the lesser vertex to the greater; in the plane, towards the vertex.
+  // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the
+  // other backwards. Forwards: from the lesser vertex to the greater; in the plane, towards the
+  // vertex.
   void list_turns(FacetId facet, std::vector<Turn>& turns) const {
     const std::size_t s = facet.simplex();
     const auto row = mesh_.row(s);
     const bool positive = orientations_.of(s) > 0;
-    // The apex, `off`, and the ridge's vertices are an even permutation of the row; in the plane
-    // every other time.
+    // The apex, `off` and the ridge's vertices are an even permutation of the row; in the plane,
+    // this alternates.
     const auto& places = kFacetPlaces<kVertices>[facet.place()];
     for (std::size_t k = 0; k < kDimension; ++k) {
       const Index off = row[places[k]];
@@ -135,9 +138,9 @@ class Boundary {
     }
   }
 
-  // All of them, by turns, so that what one asks the caches for comes while the others go on. They
-  // end, because links lead back: no simplex is entered twice through the same facet, and the first
-  // was not entered.
+  // Advances all of them in turn, so that what one prefetches arrives while the others proceed.
+  // They end, because links lead back: no simplex is entered twice through the same facet, and the
+  // first was not entered.
   void finish(std::vector<Turn>& turns) const {
     std::array<std::uint16_t, 64 * kDimension> going;
     std::size_t count = turns.size();

@@ -38,7 +38,7 @@ inline AxisBox box_of_point(std::span<const double> coordinates, std::size_t v) 
   return {at, at};
 }
 
-// A binary tree of boxes: the pairs that meet, and those that something may meet.
+// A binary tree of boxes, which finds pairs that meet, and boxes that something else may meet.
 class BoxTree {
  public:
   // Requires: fewer than 2^32 boxes.
@@ -48,8 +48,9 @@ class BoxTree {
     if (!order_.empty()) grow(0, order_.size());
   }
 
-  // Does visit(place) say true of all boxes but those that are in a box of which is_beyond(box) says true? Says no too
-  // if it takes more than some steps, of which it counts off those that it takes.
+  // Does visit(place) return true for all boxes, except those within a box for which is_beyond(box)
+  // returns true? Also false if that takes more steps than `steps`, which is reduced by the steps
+  // taken.
   template <class IsBeyond, class Visit>
   bool all_near(std::size_t& steps, const IsBeyond& is_beyond, const Visit& visit) const {
     std::vector<std::uint32_t> pending;
@@ -72,7 +73,8 @@ class BoxTree {
     return true;
   }
 
-  // Does visit(a, b) say true of every two whose boxes meet? Says no too if it takes more than some steps.
+  // Does visit(a, b) return true for every two whose boxes meet? Also false if that takes more than
+  // a number of steps.
   template <class Visit>
   bool all_pairs(std::size_t steps, const Visit& visit) const {
     if (nodes_.empty()) return true;
@@ -112,7 +114,7 @@ class BoxTree {
     std::uint32_t count() const { return end - begin; }
   };
 
-  // Half the middle of a box: a guess at how to part boxes well, which decides nothing.
+  // Half the middle of a box: a heuristic for splitting boxes, which decides nothing.
   double middle(std::uint32_t box, std::size_t axis) const {
     return boxes_[box].low[axis] / 4 + boxes_[box].high[axis] / 4;
   }

@@ -15,13 +15,12 @@
 namespace circumspect::fast {
 namespace {
 
-constexpr std::size_t kFacetsInPile = 16384;  // and tables of what is left of them, within a cache
+constexpr std::size_t kFacetsInPile = 16384;  // and tables of the rest of them, within a cache
 constexpr std::size_t kMostPiles = std::size_t{1} << 14;
 constexpr std::uint64_t kMostSimplices = std::uint64_t{1} << 29;
 constexpr std::size_t kSlices =
-    32;  // whatever the number of threads, and so what is likely is, too
-constexpr std::size_t kRecordsForTables = std::size_t{3}
-                                          << 16;  // that take as much memory as they, about
+    32;  // whatever the number of threads, so a likely proposal does not depend on it either
+constexpr std::size_t kRecordsForTables = std::size_t{3} << 16;  // that take about as much memory
 constexpr std::size_t kLeastSlice = std::size_t{1} << 14;
 
 template <std::size_t kDimension, typename Index>
@@ -45,7 +44,8 @@ class Matching {
     return owned_links();
   }
 
-  // What facet_matching.hpp says of complete(). One facet of each pair is compared, and every facet without a link.
+  // Implements complete() of facet_matching.hpp. Compares one facet of each pair, and every facet
+  // without a link.
   std::vector<std::uint64_t> complete(OwnedLinks& links) {
     links_ = std::move(links.links);
     const auto stands_for_its_pair = [](std::int32_t link, std::size_t s) {
@@ -76,13 +76,14 @@ class Matching {
   static constexpr std::size_t kWordsInLine = 8;  // of a cache
 
   std::size_t most_at_a_time() const {
-    // As many piles at a time as have records for not quite half of the facets; for fewer of a small mesh,
-    // where tables weigh more.
+    // Takes so many piles at a time that they have records for not quite half of the facets; fewer
+    // for a small mesh, where tables matter more.
     const std::size_t facets = mesh_.simplices.size();
     return std::max(facets * 7 / 16 - std::min(facets * 7 / 16, kRecordsForTables), facets / 4);
   }
 
-  // Calls work(first pile, last pile) for all piles, each time for some that have at most as many records, or for one.
+  // Calls work(first pile, last pile) for all piles, each time for several with at most so many
+  // records, or for one.
   template <class Work>
   void in_rounds(std::size_t most_records, const Work& work) {
     std::vector<std::size_t> sizes;
@@ -112,7 +113,7 @@ class Matching {
     in_chunks(mesh_.size(), slice_, threads_, work);
   }
 
-  // The last bits of a hash say into which pile a facet goes, and its record has the others.
+  // The last bits of a hash determine the pile of a facet, and its record has the others.
   std::size_t pile_of(std::uint64_t hash) const { return hash & (piles_ - 1); }
   std::uint64_t record(std::uint64_t hash, std::uint64_t facet) const {
     return layout_.record(hash >> bits_of(piles_ - 1), facet);
@@ -128,8 +129,8 @@ class Matching {
     return size;
   }
 
-  // Links facets near each other, if a proposal is likely enough, and counts the others, how many each slice
-  // has for each pile. False if an index names no point.
+  // Links nearby facets, if a likely proposal suffices, and counts the others by slice and pile.
+  // False if an index names no point.
   bool count() {
     counts_.assign(slices() * piles_, 0);
     std::atomic<bool> known = true;
@@ -168,15 +169,15 @@ class Matching {
     return true;
   }
 
-  // Writes records of these piles, pile by pile, in the order of simplices: of the facets that are wanted, which
-  // is_wanted(link, simplex) says without a branch.
+  // Writes the records of these piles, pile by pile, in the order of simplices, for the facets that
+  // are wanted; is_wanted(link, simplex) tells without a branch.
   template <class IsWanted>
   void fill(std::size_t first_pile, std::size_t last_pile, const IsWanted& is_wanted) {
     begins_.assign(1, 0);
     std::size_t begin = 0;
     for (std::size_t pile = first_pile; pile < last_pile; ++pile) {
       for (std::size_t slice = 0; slice < slices(); ++slice) {
-        // From here on, where the slice's next record goes.
+        // From here on, the place of the slice's next record.
         begin += std::exchange(counts_of(slice)[pile], static_cast<std::uint32_t>(begin));
       }
       begins_.push_back(begin);
@@ -196,7 +197,7 @@ class Matching {
       const std::int32_t* const links = &links_[s * kVertices];
       for_each_facet_of<kVertices, Index>(mesh_.row(s), [&](std::uint64_t hash, std::size_t place) {
         const std::size_t pile = pile_of(hash);
-        // Whether the record is wanted is a coin toss: no branch.
+        // A branch on whether the record is wanted would be unpredictable.
         const auto wanted = static_cast<std::size_t>(is_wanted(links[place], s)) &
                             static_cast<std::size_t>(pile - first_pile < last_pile - first_pile);
         const std::size_t to = nowhere ^ ((nowhere ^ next[pile]) & -wanted);
@@ -206,7 +207,7 @@ class Matching {
     }
   }
 
-  // Calls match_one(records of a pile, a table) for each of them.
+  // Calls match_one(records of a pile, a table) for each pile.
   template <class MatchOne>
   void match(std::size_t first_pile, std::size_t last_pile, const MatchOne& match_one) {
     constexpr std::size_t kPilesInChunk = 8;
@@ -234,8 +235,8 @@ class Matching {
     match_one_by_one(pile, table);
   }
 
-  // Pairs records of the same hash in a table with open addressing, of which at most half is used if all facets have
-  // two simplices.
+  // Pairs records of the same hash in a table with open addressing; at most half of it is used if
+  // all facets have two simplices.
   void match_one_by_one(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& table) {
     constexpr std::uint64_t kFree = ~std::uint64_t{0};
     const int bits = bits_of(pile.size());
@@ -259,9 +260,10 @@ class Matching {
     if (!thrice.empty()) match_by_vertices(pile, thrice);
   }
 
-  // Matches facets once more of which two that are not a pair have the same hash.
+  // Matches the facets again whose hash two facets share that are not a pair.
   void separate(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& bits) {
-    // A bit each, within the nearest cache; few records find another's bit set, and most of those by accident.
+    // One bit each, within the nearest cache; few records find another's bit set, most of them by
+    // accident.
     const int shift = 64 - bits_of(pile.size()) - 3;
     const std::size_t words = (std::size_t{1} << (64 - shift)) / 64 + 1;
     bits.assign(2 * words, 0);
@@ -285,7 +287,8 @@ class Matching {
     if (!twice.empty()) match_by_vertices(with_partners(doubtful, twice), twice);
   }
 
-  // The records whose hash is among those of `some`, and those of the facets that they are linked to.
+  // The records whose hash is among those of `some`, and those of the facets that they are linked
+  // to.
   std::vector<std::uint64_t> with_partners(std::span<const std::uint64_t> pile,
                                            const std::vector<std::uint64_t>& some) {
     std::set<std::uint64_t> hashes, facets;
@@ -314,7 +317,7 @@ class Matching {
     links_[b] = static_cast<std::int32_t>(a / kVertices);
   }
 
-  // Facets of which three or more have the same hash.
+  // The facets whose hash three or more have.
   void match_by_vertices(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& thrice) {
     for (std::uint64_t& record : thrice) record = layout_.hash(record);
     std::sort(thrice.begin(), thrice.end());
@@ -344,11 +347,11 @@ class Matching {
   RecordLayout layout_;
   std::size_t slice_ = 1;
   std::size_t piles_ = 1;  // a power of two
-  // Of facets, a slice of simplices after the other, a pile after the other; of a pile that is filled, where
-  // the slice's records end.
+  // The number of facets for each slice of simplices and each pile; once a pile is filled, the
+  // place where the slice's records end.
   std::vector<std::uint32_t> counts_;
   std::size_t most_records_ = 0;       // at a time
-  LargeArray<std::uint64_t> records_;  // and a place for each slice to write what is not wanted
+  LargeArray<std::uint64_t> records_;  // and a place for each slice to write unwanted records
   std::vector<std::size_t> begins_;    // of the piles in records_
   LargeArray<std::int32_t> links_;
   std::mutex mutex_;  // of:

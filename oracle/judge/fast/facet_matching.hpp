@@ -1,5 +1,5 @@
-// Finds which simplices share a facet if no neighbours are given; and memory for the large arrays that this
-// needs.
+// Finds which simplices share a facet if no neighbours are given. Also provides memory for the
+// large arrays that this needs.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@
 namespace circumspect::fast {
 
 // ---- Large array ----
-// Memory for large arrays. Not initialized, so that the threads that write it touch it first; in large pages,
-// where the system has them for the asking: what is written all over an array then misses fewer translations
-// of addresses, and first touches are fewer.
+// Memory for large arrays. It is not initialized, so that the threads that write it touch it first,
+// and in large pages if the system offers them: writes all over an array then cause fewer TLB
+// misses and fewer page faults.
 
 struct Unmapped {
   std::size_t bytes = 0;
@@ -33,8 +33,8 @@ struct Unmapped {
 template <typename T>
 using LargeArray = std::unique_ptr<T[], Unmapped>;
 
-// Straight from the system, and back to it: what an allocator keeps would count as memory in use. Throws
-// std::bad_alloc.
+// Allocated directly from the system and returned to it, because memory that an allocator keeps
+// would count as in use. Throws std::bad_alloc.
 template <typename T>
 LargeArray<T> large_array(std::size_t count) {
   static_assert(std::is_trivial_v<T>);
@@ -45,8 +45,8 @@ LargeArray<T> large_array(std::size_t count) {
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapped == MAP_FAILED) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  // The pages that lie within the array, so that no more memory is touched than it has. Advice: it may be
-  // refused.
+  // Advises large pages only for pages within the array, so that no other memory is touched. The
+  // system may ignore the advice.
   const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
   const std::uintptr_t first = (begin + kPage - 1) / kPage * kPage,
                        last = (begin + bytes) / kPage * kPage;
@@ -57,42 +57,42 @@ LargeArray<T> large_array(std::size_t count) {
 
 // ---- Facet matching ----
 
-// Links with the memory for them.
+// Links that own their memory.
 struct OwnedLinks {
   LargeArray<std::int32_t> links;
   std::size_t count = 0;
-  // Facets of three or more simplices, each as simplex · (d + 1) + place of the vertex opposite, ascending.
-  // They have no links.
+  // Facets of three or more simplices, each as simplex · (d + 1) + place of the vertex opposite,
+  // ascending. They have no links.
   std::vector<std::vector<std::uint64_t>> overused = {};
 
   std::span<const std::int32_t> view() const { return {links.get(), count}; }
 };
 
-// What is promised of links before they are verified.
+// What is guaranteed about links before they are verified.
 enum class Proposal {
-  // Facets of three simplices are overused if they meet by chance; the fastest.
+  // Finds facets of three simplices only if they meet by chance; the fastest.
   kLikely,
-  // A facet without a link that is not overused is in no other simplex, and one with a link that is right
-  // is in no third.
+  // A facet without a link that is not overused is not in another simplex, and one with a correct
+  // link is not in a third.
   kComplete,
 };
 
-// For each simplex and vertex the simplex across the facet opposite, or −1, as a program would list them.
-// Facets are compared by hashes, and by their vertices only where the same hash comes up three times:
-// what is returned is a proposal, which the sweep verifies like that of any other program. If it is
-// wrong, hashes of 46 bits or more are equal by accident, and the mesh is left undecided.
-// Undecided: an index that names no point; more than 2^29 simplices.
-// Memory: 4 (d + 1) bytes a simplex for the links, and as much again until it returns.
+// For each simplex and vertex, the simplex across the facet opposite, or −1, as a program would
+// list them. Facets are compared by hashes, and by their vertices only if the same hash occurs
+// three times, so the result is a proposal, which the sweep verifies like neighbours that a program
+// lists. It is wrong only if hashes of 46 bits or more collide; then the mesh is left undecided.
+// Undecided: an index that names no point; more than 2^29 simplices. Memory: 4 (d + 1) bytes a
+// simplex for the links, and as much again until it returns.
 template <std::size_t kDimension, typename Index>
 tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<kDimension, Index>& mesh,
                                                    unsigned threads,
                                                    Proposal proposal = Proposal::kComplete);
 
-// Makes links complete. Returns the facets that were matched once more, ascending, as OwnedLinks::overused names
-// them: all that have their vertices, or their hash, in common with a facet that they are not linked to. What is
-// across all others is as it was.
-// Requires: links come from matched_facets; a facet that has one is the only one with this link of exactly one
-// facet, which has the same vertices and is linked back.
+// Makes links complete. Returns the facets that were matched again, ascending, as
+// OwnedLinks::overused names them: all that share their vertices, or their hash, with a facet that
+// they are not linked to. The links of all others are unchanged. Requires: the links come from
+// matched_facets; a linked facet is the only one that is linked to its partner, which has the same
+// vertices and is linked back.
 template <std::size_t kDimension, typename Index>
 std::vector<std::uint64_t> complete(const MeshView<kDimension, Index>& mesh, OwnedLinks& links,
                                     unsigned threads);

@@ -1,4 +1,4 @@
-// Facets of two simplices, matched and as each lists them.
+// Matching the facets of two simplices, and the orders in which they list a facet.
 #include "oracle/judge/fast/facet_matching.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace circumspect::fast {
 
 // ---- Facet matching ----
-// Facets are matched as a dictionary of them matches them.
+// Facets are matched as a dictionary matches them.
 
 namespace {
 
@@ -64,7 +64,7 @@ void check_grid(std::size_t side, bool in_order = true) {
       REQUIRE(links.has_value());
       CHECK(listed(*links) == expected);
     }
-    // Likely links are those of a complete proposal, and nothing is to be matched again.
+    // Likely links are those of a complete proposal, and nothing needs to be matched again.
     auto links = matched_facets(mesh.view(), threads, Proposal::kLikely).value();
     CHECK(complete(mesh.view(), links, threads).empty());
     CHECK(listed(links) == expected);

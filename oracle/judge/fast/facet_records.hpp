@@ -18,7 +18,8 @@ namespace circumspect::fast {
 
 inline int bits_of(std::uint64_t number) { return static_cast<int>(std::bit_width(number)); }
 
-// splitmix64's last steps: what differs in one bit differs in half of them afterwards.
+// The last steps of splitmix64: inputs that differ in one bit differ in about half of the bits
+// afterwards.
 inline std::uint64_t mixed_vertex(std::uint64_t v) {
   v = (v + 1) * 0xbf58476d1ce4e5b9U;
   v ^= v >> 32;
@@ -26,8 +27,8 @@ inline std::uint64_t mixed_vertex(std::uint64_t v) {
   return v ^ (v >> 29);
 }
 
-// A record holds, from the top, the low bits of a hash of the facet's vertices and which facet of which
-// simplex it is: simplex · (d + 1) + place of the vertex opposite.
+// A record holds, from the top, the low bits of a hash of the facet's vertices and which facet of
+// which simplex it is: simplex · (d + 1) + place of the vertex opposite.
 class RecordLayout {
  public:
   // Requires: fewer than 2^62 facets. The number with all bits set is not a facet.
@@ -59,12 +60,12 @@ template <std::size_t kVertices, typename Index, typename Visit>
 }
 
 // ---- Facet pairs ----
-// Pairs of records with the same hash, without a branch that would be a coin toss.
+// Pairs of records with the same hash, found without unpredictable branches.
 
-// Adds up the records of each slot of a table, chosen by bits of their hashes after the first `skipped`.
-// The sum less a record is the other one where two are alone in a slot; elsewhere its hash is most likely
-// not that of the record. Calls found(record, other, is_pair) for each record; those of no pair are moved
-// to the front. Returns how many they are.
+// Adds up the records of each slot of a table, chosen by bits of their hashes after the first
+// `skipped`. If two are alone in a slot, the sum minus one record is the other; otherwise the
+// difference most likely has another hash. Calls found(record, other, is_pair) for each record;
+// those without a partner are moved to the front. Returns their number.
 template <typename Found>
 std::size_t pair_by_sums(const RecordLayout& layout, std::span<std::uint64_t> records, int skipped,
                          std::vector<std::uint64_t>& sums, const Found& found) {
@@ -87,18 +88,19 @@ std::size_t pair_by_sums(const RecordLayout& layout, std::span<std::uint64_t> re
 }
 
 // ---- Nearby facets ----
-// The facets that two simplices share which stand near each other in the list: most facets, in the order in
+// Facets shared by two simplices that are near each other in the list, as most are in the order in
 // which programs write their meshes.
 
-// Remembers facets for a while: in a table that stays in a cache each new one takes the place of another.
-// Nothing here branches on what is found, which is a coin toss.
+// Remembers facets for a while, in a table that stays in a cache, where each new one replaces
+// another. Nothing here branches on what is found, because that would be unpredictable.
 template <std::size_t kDimension, typename Index>
 class NearbyFacets {
  public:
   static constexpr std::size_t kVertices = kDimension + 1;
 
-  // `links` are those of the whole mesh; `left[pile]` counts facets that were forgotten without a partner.
-  // Requires: the number of piles is a power of two; at most `simplices` are to come.
+  // `links` are those of the whole mesh; `left[pile]` counts facets that were forgotten without a
+  // partner. Requires: the number of piles is a power of two; at most `simplices` simplices will
+  // come.
   NearbyFacets(const RecordLayout& layout, std::size_t simplices, std::int32_t* links,
                std::span<std::uint32_t> left)
       : layout_(layout),
@@ -136,7 +138,7 @@ class NearbyFacets {
  private:
   static constexpr int kMostBits = 15;
   static constexpr std::uint64_t kTopBit = std::uint64_t{1} << 63;
-  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // the only one with the top bit
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // the only value with the top bit set
 
   std::size_t pile(std::uint64_t record) const { return layout_.hash(record) & (left_.size() - 1); }
 
@@ -150,7 +152,8 @@ class NearbyFacets {
 // ---- Facet across ----
 // A facet as two simplices list it.
 
-// For each vertex the places of the others, so that it and they are an even permutation of the row.
+// For each vertex, the places of the others, in an order such that the vertex followed by them is
+// an even permutation of the row.
 template <std::size_t kVertices>
 inline constexpr std::array<std::array<std::size_t, kVertices - 1>, kVertices> kFacetPlaces{};
 template <>
@@ -160,8 +163,8 @@ template <>
 inline constexpr std::array<std::array<std::size_t, 3>, 4> kFacetPlaces<4> = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-// All ones if they are equal, else 0. Masks instead of conditions, of which compilers make
-// branches.
+// All ones if they are equal, else 0. These are masks instead of conditions, because compilers turn
+// conditions into branches.
 template <typename Index>
 [[gnu::always_inline]] inline Index mask_if_equal(Index a, Index b) {
   return static_cast<Index>(-static_cast<Index>(a == b));
@@ -171,7 +174,8 @@ template <typename Index>
   return static_cast<Index>(b ^ (mask & (a ^ b)));
 }
 
-// Does g list the same as f, in an order that is an even, an odd permutation? As masks.
+// Does g list the same vertices as f, in an order that is an even or an odd permutation? The
+// answers are masks.
 template <typename Index>
 struct SameVertices {
   Index even, odd;
@@ -217,7 +221,7 @@ template <std::size_t kVertices, typename Index>
 [[gnu::always_inline]] inline Fit<Index> fit_of(const std::array<Index, kVertices>& first,
                                                 const std::array<Index, kVertices>& second) {
   constexpr std::size_t kOthers = kVertices - 1;
-  // What is in one row only: if the facet is shared, the two apexes.
+  // The vertices in one row only: if the facet is shared, the two apexes.
   Index other = 0;
   for (std::size_t i = 0; i < kVertices; ++i) other ^= first[i] ^ second[i];
   other ^= first[0];
@@ -234,7 +238,7 @@ template <std::size_t kVertices, typename Index>
       again[k] = select(is_apex, second[kFacetPlaces<kVertices>[i][k]], again[k]);
     }
   }
-  // If all vertices of the facet are found again, what is left is `other`.
+  // If all vertices of the facet are found again, `other` is what remains.
   const SameVertices<Index> same = same_vertices(facet, again);
   const Index matches = (same.even | same.odd) & ~mask_if_equal(other, first[0]);
   return {matches, same.odd, place, other};

@@ -46,7 +46,7 @@ class FaultFinder {
   using Row = std::span<const Index, kVertices>;
   using Set = std::array<Index, kVertices>;
 
-  // Calls look(i, list, stages) for each i below `count`; what it adds to the list comes back in order.
+  // Returns, in order, what look(i, list, stages) adds to the list for each i below `count`.
   template <class Item, class Look>
   std::vector<Item> list_of(std::size_t count, const Look& look) {
     std::vector<std::vector<Item>> parts(chunks_of(count, kSimplicesInChunk));
@@ -79,8 +79,8 @@ class FaultFinder {
 
   // ── What the judge has seen ────────────────────────────────────────────────────────────────────
 
-  // Goes on from what the judge found out, and looks again at what it doubts alone; false if that does not say
-  // everything. docs/theory/fast.md, "Every place at fault", says why this is enough.
+  // Continues from the judge's results, and looks again only at what it doubted; false if that does
+  // not explain everything. The proof is in docs/theory/fast.md, "Every place at fault".
   bool go_on_from(SweptMesh known) {
     if (known.swept.undecided) return false;
     faults_.links = std::move(known.links);
@@ -108,8 +108,8 @@ class FaultFinder {
     return true;
   }
 
-  // Links to later simplices lead back from as many facets as have links to earlier ones, if all these do: so every
-  // facet with a link has one partner. The sweep has seen to the links of simplices that are not doubtful.
+  // If the links to later simplices lead back and are as many as those to earlier ones, every facet
+  // with a link has one partner. The sweep has verified links of simplices that are not doubtful.
   bool are_linked_back(const std::vector<std::size_t>& doubtful, const Swept& swept) const {
     std::uint64_t to_themselves = 0;
     std::vector<std::size_t> partners;
@@ -133,8 +133,8 @@ class FaultFinder {
            swept.up + to_themselves == swept.down;
   }
 
-  // False if nothing is wrong with these simplices and their facets, or if the judge took another orientation of one
-  // of them for its own.
+  // False if nothing is wrong with these simplices and their facets, or if the judge assumed a
+  // wrong orientation for one of them.
   bool judge_doubtful(const std::vector<std::size_t>& doubtful, const Orientations& swept) {
     if (judge_simplices(doubtful) || faults_.facets_match()) return false;
     return std::all_of(doubtful.begin(), doubtful.end(), [&](std::size_t s) {
@@ -144,9 +144,9 @@ class FaultFinder {
 
   // ── Where simplices and facets are in order ───────────────────────────────────────────────────
 
-  // Matches facets, and sweeps as the judge does; true if that finds no simplex and no facet at fault.
+  // Matches facets and sweeps as the judge does; true if no simplex and no facet is faulty.
   bool facets_are_sound() {
-    // Complete: facets with the same vertices have the same hash.
+    // The proposal is complete, because facets with the same vertices have the same hash.
     auto matched = matched_facets(mesh_, threads_);
     if (!matched) return false;
     faults_.links = std::move(*matched);
@@ -186,7 +186,7 @@ class FaultFinder {
     return used.missing();
   }
 
-  // Those of the simplices that are not simplices; the orientation of each is known afterwards.
+  // The degenerate ones among these simplices; afterwards the orientation of each is known.
   std::vector<std::size_t> unsound_among(const std::vector<std::size_t>& simplices) {
     return list_of<std::size_t>(
         simplices.size(), [&](std::size_t i, std::vector<std::size_t>& unsound, Stages& stages) {
@@ -202,7 +202,7 @@ class FaultFinder {
         });
   }
 
-  // Judges these simplices, and their facets if all are sound; the others, and their facets, are.
+  // Judges these simplices, and their facets if all are sound; all others are in order.
   std::optional<Undecided> judge_simplices(const std::vector<std::size_t>& simplices) {
     faults_.unsound = unsound_among(simplices);
     const auto sound = std::find_if(orientations_.begin(), orientations_.end(),
@@ -218,7 +218,7 @@ class FaultFinder {
     return std::nullopt;
   }
 
-  // Those of the simplices that have the same vertices as another of them, ascending.
+  // The simplices that have the same vertices as another of them, ascending.
   std::vector<std::size_t> duplicates_among(const std::vector<std::size_t>& simplices) const {
     std::vector<std::pair<std::uint64_t, std::size_t>> hashes;
     hashes.reserve(simplices.size());
@@ -230,7 +230,7 @@ class FaultFinder {
     std::sort(hashes.begin(), hashes.end());
     std::vector<std::size_t> duplicates;
     for (std::size_t i = 0; i < hashes.size(); ++i) {
-      // Others with the same hash, of which most have the same vertices.
+      // Others with the same hash, most of which have the same vertices.
       for (std::size_t k = i + 1; k < hashes.size() && hashes[k].first == hashes[i].first; ++k) {
         if (sorted_set(mesh_.row(hashes[i].second)) != sorted_set(mesh_.row(hashes[k].second))) {
           continue;
@@ -262,8 +262,8 @@ class FaultFinder {
 
   // ── Facets ─────────────────────────────────────────────────────────────────────────────────────
 
-  // What is across a facet: the place of its vertex off it, and whether the two simplices are on opposite sides;
-  // nothing if it has not the facet, or has the same vertices.
+  // The simplex across a facet: the place of its vertex off the facet, and whether it is on the
+  // opposite side; nothing if it lacks the facet, or has the same vertices.
   struct Across {
     std::size_t place;
     bool opposite;
@@ -287,7 +287,7 @@ class FaultFinder {
     return static_cast<std::size_t>(link);
   }
 
-  // `simplices`: all whose links to later ones may be wrong, ascending.
+  // `simplices`: all simplices whose links to later ones may be wrong, ascending.
   std::optional<Undecided> match_facets(const std::vector<std::size_t>& simplices) {
     if (faults_.links.count == 0) return Undecided::kTooLarge;
     std::vector<std::size_t> doubtful;  // simplices that may be listed twice
@@ -322,7 +322,7 @@ class FaultFinder {
         return Undecided::kUnmatchedNeighbor;  // their hashes are equal by accident
       }
     }
-    // Two simplices with the same vertices are both in each of their facets.
+    // Two simplices with the same vertices share all their facets.
     faults_.duplicates = duplicates_among(distinct(std::move(doubtful)));
     return std::nullopt;
   }
@@ -357,7 +357,8 @@ class FaultFinder {
     return uses;
   }
 
-  // As makes_no_reflex_angle() wants it: the ridge, the vertex of the facet off it, that of the simplex off the facet.
+  // As makes_no_reflex_angle() requires: ridge, facet's vertex off it, simplex's vertex off the
+  // facet.
   SiteRow<kDimension> hinge_of(const RidgeUse& use) const {
     SiteRow<kDimension> row;
     for (std::size_t i = 0; i + 1 < kDimension; ++i) {

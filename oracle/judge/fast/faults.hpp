@@ -1,5 +1,6 @@
 // Lists every place where a mesh of doubles breaks a rule, by the stages of the exact checkers
-// (ARCHITECTURE.md: "Stages"). The exact checkers look at these places again and name what is wrong.
+// (ARCHITECTURE.md: "Stages"). The exact checkers look at these places again and name what is
+// wrong.
 #pragma once
 
 #include <array>
@@ -19,30 +20,32 @@
 
 namespace circumspect::fast {
 
-// A facet of two simplices, as each has it: the one that comes first in the list is `first`.
+// A facet of two simplices, as named by each; `first` is the one that comes first in the list.
 struct FacetPair {
   FacetId first, second;
 };
 
-// A ridge between boundary facets, which is not what a ridge of the boundary of a convex set is.
+// A ridge between boundary facets that a convex set cannot have.
 struct FaultyRidge {
   std::vector<std::int64_t> vertices = {};  // ascending
   std::vector<FacetId> facets = {};         // all boundary facets that have it
 };
 
-// What is not listed is not at fault. Where a stage finds faults, the later ones are not looked at, and
-// their lists are empty; which ones follow which is said in oracle/judge/points/check.cpp. Lists of simplices
-// and points ascend.
+// Anything that is not listed is in order. If a stage finds faults, later stages are skipped, and
+// their lists are empty; oracle/judge/points/check.cpp has the order of the stages. Lists of
+// simplices and points ascend.
 struct Faults {
-  std::size_t sound_simplex = 0;  // one that is a simplex
+  std::size_t sound_simplex = 0;  // one that is not flat
 
-  // Simplices that name no point, have a vertex twice, or are flat; those that have the vertices of
-  // another; those that are oriented unlike most, if all are sound; points that are not a vertex.
+  // Simplices with an index that names no point, with a repeated vertex, or flat; simplices with
+  // the same vertices as another; simplices oriented unlike most, if all are sound; points that are
+  // not vertices.
   std::vector<std::size_t> unsound = {};
   std::vector<std::size_t> duplicates = {};
   std::vector<std::size_t> turned = {};
   std::vector<std::size_t> unused = {};
-  // If all are sound: the orientation of most (of both alike: 1), and the first simplex that has it.
+  // If all are sound: the orientation of most (of both alike: 1), and the first simplex that has
+  // it.
   int orientation_of_most = 1;
   std::size_t first_of_most = 0;
 
@@ -50,9 +53,10 @@ struct Faults {
   std::vector<std::vector<FacetId>> overused = {};
   std::vector<FacetPair> same_side = {};
 
-  // Ridges not of two boundary facets, or of two that make a reflex angle or are folded. If there are none:
-  // boundary facets that do not have the barycentre of the first simplex strictly on their inner sides. If
-  // there are none of these: other simplices that contain it.
+  // Ridges that are not in exactly two boundary facets, or whose two facets make a reflex angle or
+  // are folded. If there are none: boundary facets that do not have the barycentre of the first
+  // simplex strictly on their inner sides. If there are none of these: other simplices that contain
+  // it.
   std::vector<FaultyRidge> ridges = {};
   std::vector<FacetId> beyond = {};
   std::vector<std::size_t> covering = {};
@@ -60,8 +64,8 @@ struct Faults {
   // Facets that are not locally Delaunay.
   std::vector<FacetPair> not_local = {};
 
-  // Weighted points that are not vertices and at fault, ascending, each with the first simplex that
-  // contains it, if one does. faults() does not look for them.
+  // Faulty weighted points that are not vertices, ascending, each with the first simplex that
+  // contains it, if any. faults() does not look for them.
   std::vector<std::pair<std::size_t, std::optional<std::size_t>>> submerged = {};
 
   // If facets match: what is across each of them.
@@ -77,22 +81,21 @@ struct Faults {
   }
 };
 
-// What the judge (judge.hpp) found out about a mesh of which it knows nothing in the end.
+// The partial results of the judge (judge.hpp) about a mesh for which it gives no answer.
 struct SweptMesh {
   OwnedLinks links;  // likely ones
-  Swept swept;       // past doubts, with a sample point
+  Swept swept;       // continuing past doubts, with a sample point
   Orientations orientations;
   std::vector<std::size_t> unused;
-  bool is_triangulation;  // of its vertices: nothing is wrong but points that are none
+  bool is_triangulation;  // a triangulation of its vertices: only unused points are wrong
 };
 
-// All faults that the question asks for. Of weighted points, whether those that are not vertices
-// lie above the lower hull is not looked at. Given neighbours are not looked at. Undecided: no
-// simplex that is sound; more simplices than are matched; hashes that are equal by accident. The
-// same answer for any number of threads. Instances: dimensions 2 and 3; std::int32_t and
-// std::int64_t. Requires: numbers are finite; no two points are equal; threads ≥ 1; weights, if the
-// question is about them and there are any; `swept`, if it is there, is what the judge found for
-// the same question.
+// All faults that the question asks for. It does not check whether weighted points that are not
+// vertices lie above the lower hull, and ignores given neighbours. Undecided: no simplex is sound;
+// more simplices than can be matched; hashes that collide by accident. The same answer for any
+// number of threads. Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires:
+// numbers are finite; no two points are equal; threads ≥ 1; weights, if the question is about them
+// and there are any; `swept`, if it is there, is what the judge found for the same question.
 template <std::size_t kDimension, typename Index>
 tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
                                        unsigned threads, std::optional<SweptMesh> swept = {});

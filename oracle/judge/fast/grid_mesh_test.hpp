@@ -1,5 +1,6 @@
-// For tests: large Delaunay triangulations that are written down directly. Each cube of a grid is cut into the simplices
-// of the orders of its axes (Kuhn's subdivision; all corners of a cube are on one sphere).
+// For tests: large Delaunay triangulations that are written down directly. Each cube of a grid is
+// cut into the simplices of the orders of its axes (Kuhn's subdivision; all corners of a cube are
+// on one sphere).
 #pragma once
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 
 #include "kernel/exact/interruption.hpp"
 
-// oneTBB as Debian ships it is not instrumented: ThreadSanitizer (preset `tsan`) would take its every
-// locking for a race, and sees plain threads instead. Nor is there an archive of it, which CIRCUMSPECT_STATIC
-// would need.
+// oneTBB as Debian ships it is not instrumented: ThreadSanitizer (preset `tsan`) would report its
+// locks as races, so that build uses plain threads. There is also no static archive of it, which
+// CIRCUMSPECT_STATIC would need.
 #if defined(__SANITIZE_THREAD__)
 #define CIRCUMSPECT_PLAIN_THREADS
 #elif defined(__has_feature)
@@ -34,7 +34,7 @@ namespace {
 // Calls one(chunk) for each chunk.
 template <typename One>
 void on_threads(std::size_t chunks, unsigned threads, const One& one) {
-  std::atomic<std::size_t> next = 0;  // relaxed: chunks are ordered by nothing
+  std::atomic<std::size_t> next = 0;  // relaxed: no order of chunks is needed
   std::atomic_flag has_failed;
   std::exception_ptr failure;  // the first
   const auto take = [&] {
@@ -43,7 +43,7 @@ void on_threads(std::size_t chunks, unsigned threads, const One& one) {
       while ((chunk = next.fetch_add(1, std::memory_order_relaxed)) < chunks) one(chunk);
     } catch (...) {
       if (!has_failed.test_and_set()) failure = std::current_exception();
-      next = chunks;  // there is no use in the rest
+      next = chunks;  // the rest is useless
     }
   };
   {
@@ -51,7 +51,7 @@ void on_threads(std::size_t chunks, unsigned threads, const One& one) {
     try {
       while (team.size() + 1 < std::min<std::size_t>(threads, chunks)) team.emplace_back(take);
     } catch (const std::system_error&) {
-      // The system gives no more threads.
+      // The system allows no more threads.
     }
     take();
   }
@@ -60,8 +60,8 @@ void on_threads(std::size_t chunks, unsigned threads, const One& one) {
 
 #else
 
-// How many threads of these the system gives, this one among them: oneTBB ends the work with an exception if it
-// counts on more. Asked once, by starting them.
+// How many of these threads the system allows, including this one: oneTBB ends the work with an
+// exception if it expects more. Determined once, by starting them.
 int threads_to_be_had(int wanted) {
   static const int most = [wanted] {
     std::atomic<bool> is_counted = false;
@@ -85,7 +85,7 @@ int threads_to_be_had(int wanted) {
 // Calls one(chunk) for each chunk.
 template <typename One>
 void on_threads(std::size_t chunks, unsigned threads, const One& one) {
-  // More than there are make oneTBB complain.
+  // oneTBB complains about more threads than there are.
   const int most = threads_to_be_had(tbb::info::default_concurrency());
   if (most == 1) {
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) one(chunk);

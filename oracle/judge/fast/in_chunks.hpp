@@ -1,4 +1,5 @@
-// Works on ranges of a list with one thread or several. The answer does not depend on which thread does what.
+// Processes ranges of a list with one thread or several. The answer does not depend on which thread
+// does what.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +12,14 @@ inline std::size_t chunks_of(std::size_t count, std::size_t size) {
   return (count + size - 1) / size;
 }
 
-// What is done with a chunk: its number, its first item and the one after its last.
-// A std::function: with oneTBB's templates for each piece of work the compiler took a sixth longer, and a chunk is so
-// large that the call takes no time.
+// The work on a chunk, given its number, its first item and the one after its last. It is a
+// std::function, because oneTBB's templates for each piece of work make compilation a sixth longer,
+// and chunks are so large that the call costs nothing.
 using ChunkWork = std::function<void(std::size_t chunk, std::size_t first, std::size_t last)>;
 
 // Calls work(chunk, first, last) for each chunk of `size` items, the last one shorter.
-// Requires: threads ≥ 1; calls for different chunks do not disturb each other.
-// What one of them throws is thrown here, and the other chunks may not have been worked on.
+// Requires: threads ≥ 1; calls for different chunks are independent. If one of them throws, this
+// throws the same exception, and other chunks may not have been processed.
 void in_chunks(std::size_t count, std::size_t size, unsigned threads, const ChunkWork& work);
 
 // Are numbers finite?

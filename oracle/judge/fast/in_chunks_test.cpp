@@ -1,4 +1,5 @@
-// Chunks are all worked on, each once; an interruption of the caller reaches the threads that help it.
+// All chunks are processed, each once; an interruption of the caller reaches the threads that help
+// it.
 #include "oracle/judge/fast/in_chunks.hpp"
 
 #include <atomic>

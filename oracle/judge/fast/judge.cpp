@@ -24,7 +24,8 @@ class Judge {
         weighted_(question == Question::kWeightedDelaunay && !mesh.weights.empty()),
         threads_(threads) {}
 
-  // `kept`: where to put what was found, but for the links, if nothing is known. Facets that are `overused` have no links.
+  // `kept`: where to store the results, except the links, if there is no answer. `overused` facets
+  // have no links.
   tl::expected<Facts, Undecided> run(bool overused = false,
                                      std::optional<SweptMesh>* kept = nullptr) {
     Stages stages;
@@ -79,7 +80,7 @@ class Judge {
                                                Swept& swept) const {
     if (unused.empty()) return std::nullopt;
     if (!weighted_) return Undecided::kUnusedPoint;
-    // The walks end, and the planes say something, where all facets are locally Delaunay.
+    // The walks end, and the witness planes are meaningful, if all facets are locally Delaunay.
     if (!swept.not_local.empty()) return Undecided::kFacetNotLocal;
     const SubmergedPoints<kDimension, Index, Link> points(mesh_, links_, orientations);
     return points.judge(unused, swept);

@@ -1,5 +1,5 @@
-// What the fast judge decides, and what it leaves to oracle/judge/points. That both agree: corpus/arrays_test.cpp,
-// properties/arrays_property.cpp.
+// What the fast judge decides, and what it leaves to oracle/judge/points. corpus/arrays_test.cpp
+// and properties/arrays_property.cpp test that both agree.
 #include "oracle/judge/fast/judge.hpp"
 
 #include <limits>
@@ -47,7 +47,7 @@ void check_judged_grid(bool mirrored) {
       CHECK(judge(mesh.view(), Question::kWeightedDelaunay, threads).has_value());
       const auto triangulation = judge(mesh.view(), Question::kTriangulation, threads);
       REQUIRE(triangulation.has_value());
-      CHECK(triangulation->unique);  // nobody asked
+      CHECK(triangulation->unique);  // it was not asked for
     }
   }
 }
@@ -88,7 +88,7 @@ TEST_CASE("of a square's two triangulations, one is canonical") {
   CHECK(undecided(mesh, Question::kTriangulation) == "");
 }
 
-// Each fault in turn, and why the fast judge does not say that the mesh holds.
+// Each fault in turn, and the reason why the fast judge does not say that the mesh holds.
 TEST_CASE("what is not a triangulation is left undecided") {
   const MeshInArrays<2> good{{0, 0, 4, 0, 4, 4, 0, 4, 2, 2}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}};
   REQUIRE(undecided(good) == "");
@@ -276,7 +276,7 @@ void mutate(MeshInArrays<3>& mesh, int kind, std::mt19937_64& random) {
     case 9:  // a point moved out of its place
       mesh.coordinates[static_cast<std::size_t>(old) * 3] += 1.5;
       break;
-    default: {  // some simplices that follow each other, listed once more far from there
+    default: {  // some consecutive simplices, listed again far away
       const std::size_t last = std::min(row + 400, mesh.simplices.size());
       const std::vector<std::int32_t> again(at(row), at(last));
       mesh.simplices.insert(mesh.simplices.end(), again.begin(), again.end());
@@ -296,7 +296,7 @@ TEST_CASE("no mutation of a grid of 10^5 points is taken for a triangulation") {
   }
 }
 
-// Everything that is said of a mesh, list after list.
+// Everything that is found about a mesh, list after list.
 using Said = std::vector<std::vector<std::uint64_t>>;
 
 std::uint64_t name_of(FacetId facet) { return facet.simplex() * 4 + facet.place(); }

@@ -15,8 +15,9 @@ namespace circumspect::fast {
 // ---- Names of facets ----
 // The name of a facet of a mesh.
 
-// A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many. A
-// facet of two simplices is named by the one that comes first. In order by simplices, then by places.
+// A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many.
+// A facet of two simplices is named by the one that comes first. In order by simplices, then by
+// places.
 class FacetId {
  public:
   // Requires: place < 4, as in the plane and in space; simplex < 2^62.
@@ -37,8 +38,8 @@ class FacetId {
 // The answer to a question about a mesh is one of these, or none (judge.hpp).
 enum class Question { kTriangulation, kDelaunay, kWeightedDelaunay };
 
-// Points one after the other, and simplices likewise; indices from 0. Nothing is assumed about the
-// numbers but the lengths of the arrays.
+// Points one after the other, and simplices one after the other; indices from 0. Nothing is assumed
+// about the numbers except the lengths of the arrays.
 template <std::size_t kDimension, typename Index>
 struct MeshView {
   static constexpr std::size_t kVertices = kDimension + 1;
@@ -86,7 +87,8 @@ std::array<Index, kVertices - 1> facet_of(std::span<const Index, kVertices> simp
   return facet;
 }
 
-// For each simplex and vertex, what is across the facet opposite: given, or found by facet_matching.hpp.
+// For each simplex and vertex, what is across the facet opposite: given, or found by
+// facet_matching.hpp.
 template <typename Link>
 using Links = std::span<const Link>;
 

@@ -38,7 +38,7 @@ int orientation_with_barycentre(const SiteRow<kDimension>& row, std::size_t plac
                                 const SiteRow<kDimension>& corners, Stages& stages) {
   ++stages.unbounded;
   const int unit = unit_of<kDimension>(row, corners);
-  // All is larger by the factor of kDimension + 1, which changes no sign.
+  // Everything is multiplied by kDimension + 1, which changes no sign.
   const auto scaled = [&](std::size_t i, std::size_t axis) -> Integer {
     if (i != place) return in_units(row[i].at[axis], unit) * (kDimension + 1);
     Integer sum = 0;

@@ -15,13 +15,14 @@ namespace circumspect::fast {
 template <std::size_t kDimension>
 struct SamplePoint {
   std::size_t simplex = 0;  // in whose interior it is
-  // Doubles that no coordinate is below, and none above: both are the point if there are no corners.
+  // Doubles below and above each coordinate; if there are no corners, both are the coordinate
+  // itself.
   Site<kDimension> low = {}, high = {};
   std::optional<SiteRow<kDimension>> corners = {};  // whose barycentre it is
 };
 
-// The sign of the orientation of a row with the barycentre of another in place of one of its own sites,
-// by integers of any size.
+// The orientation of a row with the barycentre of another row in place of one of its sites, by
+// integers of any size.
 template <std::size_t kDimension>
 int orientation_with_barycentre(const SiteRow<kDimension>& row, std::size_t place,
                                 const SiteRow<kDimension>& corners, Stages& stages);
@@ -39,7 +40,8 @@ int orientation_with(const SiteRow<kDimension>& row, std::size_t place,
                        : orientation_with<kDimension>(row, place, point.low, stages);
 }
 
-// Is the point in the closed simplex, whose orientation is `own`? Most boxes say no.
+// Is the point in the closed simplex, whose orientation is `own`? For most simplices the box
+// excludes it.
 template <std::size_t kDimension>
 bool covers(const SiteRow<kDimension>& row, int own, const SamplePoint<kDimension>& point,
             Stages& stages) {
@@ -57,17 +59,17 @@ bool covers(const SiteRow<kDimension>& row, int own, const SamplePoint<kDimensio
   return true;
 }
 
-// The barycentre of this row, which is that of the simplex; not rounded. Requires: not flat.
+// The exact barycentre of this row, which is that of the simplex. Requires: not flat.
 template <std::size_t kDimension>
 SamplePoint<kDimension> barycentre_of(const SiteRow<kDimension>& row, std::size_t simplex);
 
 extern template SamplePoint<2> barycentre_of(const SiteRow<2>&, std::size_t);
 extern template SamplePoint<3> barycentre_of(const SiteRow<3>&, std::size_t);
 
-// Any point that is strictly inside some simplex serves docs/theory/points.md. The rounded barycentre
-// of a simplex in whose interior that is, of some simplices from all over the list; or if all of them
-// are too thin to have a double inside, the barycentre of one, as it is.
-// Undecided: a simplex that names no points, or is flat. Requires: at least one simplex.
+// docs/theory/points.md allows any point that is strictly inside some simplex. Tries some simplices
+// from all over the list, and takes the rounded barycentre of one that contains it in its interior;
+// if all of them are too thin for that, the exact barycentre of one. Undecided: a simplex that has
+// an index that names no point, or is flat. Requires: at least one simplex.
 template <std::size_t kDimension, typename Index>
 tl::expected<SamplePoint<kDimension>, Undecided> sample_point(
     const MeshView<kDimension, Index>& mesh, Stages& stages) {

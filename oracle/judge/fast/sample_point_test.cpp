@@ -17,7 +17,7 @@
 namespace circumspect::fast {
 
 // ---- Sample point ----
-// The sample point where no simplex has a double inside: a barycentre, exactly.
+// If no simplex contains a double in its interior, the sample point is an exact barycentre.
 
 namespace {
 
@@ -37,7 +37,7 @@ Point exact_barycentre(const SiteRow<kDimension>& row) {
   return barycentre(points);
 }
 
-// The sign, by kernel/predicates.
+// The sign according to kernel/predicates.
 template <std::size_t kDimension>
 int sign_with(const SiteRow<kDimension>& row, std::size_t place, const Point& point) {
   std::vector<Point> points;
@@ -102,7 +102,7 @@ TEST_CASE("a barycentre is where exact arithmetic says, whatever the size of the
   }
 }
 
-// A grid whose points are as near each other as doubles are.
+// A grid whose neighbouring points are adjacent doubles.
 template <std::size_t kDimension>
 MeshInArrays<kDimension> far_grid(std::size_t side, bool mirrored) {
   auto mesh = grid_mesh<kDimension>(side, mirrored);
@@ -123,7 +123,8 @@ void check_far_grid(bool mirrored) {
     CHECK(facts->holds());
     CHECK(facts->stages.unbounded > 0);
   }
-  // Without one of its simplices, and with one twice; then with a point moved to its neighbour's far side.
+  // Without one of its simplices, and with one twice; then with a point moved to its neighbour's
+  // far side.
   const auto good = mesh.simplices;
   std::mt19937_64 random(8);
   for (int i = 0; i < 10; ++i) {
@@ -171,10 +172,10 @@ TEST_CASE("a fan of tiny triangles that winds twice is left undecided") {
 }
 
 // ---- Submerged points ----
-// Points that are no vertices: how much it takes to judge many of them. What is said of them is held to
-// oracle/judge/points by properties/arrays_property.cpp.
+// Points that are not vertices: the cost of judging many of them. properties/arrays_property.cpp
+// compares the answers with those of oracle/judge/points.
 
-// A fan of n triangles with their bases on a line, and n light points anywhere in it.
+// A fan of n triangles with their bases on a line, and n light points anywhere inside.
 MeshInArrays<2> fan(std::int32_t n) {
   MeshInArrays<2> mesh;
   const auto add = [&](double x, double y, double weight) {

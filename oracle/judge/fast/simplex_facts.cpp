@@ -26,8 +26,9 @@ struct Interval {
   double low, high;
 };
 
-// What was rounded to nearest is off by at most a part 2^-53 of it or 2^-1075. Its bounds are moved by four times that
-// and more, which is not undone by the rounding of the move itself.
+// A result rounded to nearest has a relative error of at most 2^-53, or an absolute error of at
+// most 2^-1075. Its bounds are moved outward by more than four times that, which the rounding of
+// the move itself cannot undo.
 Interval outward(double low, double high) {
   return {low - (std::fabs(low) * 0x1p-51 + 0x1p-1060),
           high + (std::fabs(high) * 0x1p-51 + 0x1p-1060)};
@@ -55,10 +56,10 @@ IntervalPoint cross(const IntervalPoint& a, const IntervalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Where the circumball of a tetrahedron is, within bounds.
+// Bounds on the circumball of a tetrahedron.
 class BallInBounds {
  public:
-  // Nothing if it is nearly flat, or its numbers are far apart.
+  // Nothing if the tetrahedron is nearly flat, or its numbers differ too much in size.
   static std::optional<BallInBounds> of(const SiteRow<3>& row) {
     std::array<IntervalPoint, 3> from_last;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -72,7 +73,7 @@ class BallInBounds {
     const IntervalPoint bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     const Interval twice_volume = inner(a, bc) + inner(a, bc);
     if (twice_volume.low <= 0 && twice_volume.high >= 0) return std::nullopt;
-    // The centre x, as seen from the last vertex, has 2 a·x = |a|², and likewise for b and c.
+    // The centre x, as seen from the last vertex, has 2 a·x = |a|², and the same for b and c.
     const Interval aa = inner(a, a), bb = inner(b, b), cc = inner(c, c);
     IntervalPoint centre;
     BallInBounds ball;
@@ -88,8 +89,9 @@ class BallInBounds {
     return ball;
   }
 
-  // Is all of a box certainly outside? The point of it that is nearest to the centre is so far away on each axis, or
-  // farther. The gaps, their squares and the sums are too large by at most a part 6 · 2^-53 and 8 · 2^-1075.
+  // Is the whole box certainly outside? On each axis, its nearest point to the centre is at least
+  // the gap away. The gaps, their squares and the sums are too large by at most a relative 6 ·
+  // 2^-53 and an absolute 8 · 2^-1075.
   bool is_beyond(const AxisBox& box) const {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -105,7 +107,7 @@ class BallInBounds {
   double far_ = 0;  // no less than the square of the radius
 };
 
-// False also where it would take long to know.
+// Also false if it would take long to find out.
 template <typename Index>
 bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>& boundary,
                       unsigned threads) {
@@ -129,7 +131,7 @@ bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>
     for (std::size_t i = 0; i < 4; ++i) row[i] = mesh.template site<false>(mesh.row(s)[i]);
     const auto bounds = BallInBounds::of(row);
     if (!bounds) return false;
-    Stages stages;  // of no interest: the sweep counts those of a mesh
+    Stages stages;  // not used: the sweep counts those of a mesh
     const Ball<3> ball = ball_of<3, false>(row, lattice);
     const int own = ball.orientation(stages);
     return tree.all_near(
@@ -163,7 +165,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
   if (!are_finite(mesh.coordinates, threads)) return tl::unexpected(Undecided::kNotFinite);
   // Facets with the same vertices have the same hash: a facet without a link is in no other
   // simplex, and one with a link in no third. So two simplices with the same vertices would be
-  // linked at all their facets, and neither has a vertex off a facet that the other has not.
+  // linked at all their facets, and neither has a vertex off a facet that the other lacks.
   const auto links = matched_facets(mesh, threads);
   if (!links) return tl::unexpected(links.error());
   if (!links->overused.empty()) return tl::unexpected(Undecided::kFacetOverused);
@@ -181,7 +183,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
     facts.fills_hull = judge(mesh, links->view(), Question::kTriangulation, threads).has_value();
   }
   if constexpr (kDimension == 3) {
-    // Nobody asks this where a facet between two simplices is at fault.
+    // This is not asked if a facet between two simplices is at fault.
     facts.boundary_balls_are_empty = wanted.boundary_balls && facts.not_local.empty() &&
                                      have_empty_balls(mesh, facts.boundary, threads);
   }

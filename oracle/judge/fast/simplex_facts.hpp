@@ -1,5 +1,5 @@
-// Facts about the simplices of a mesh that do not depend on the region that they cover: for meshes of domains, whose
-// walls decide the rest (docs/theory/domains.md).
+// Facts about the simplices of a mesh that do not depend on the region that they cover: for meshes
+// of domains, whose walls decide the rest (docs/theory/domains.md).
 #pragma once
 
 #include <vector>
@@ -12,23 +12,24 @@
 
 namespace circumspect::fast {
 
-// That there are any says: every simplex has d + 1 different vertices, all of them points, and is not
-// flat; no two have the same vertices; no facet is in three of them, and two at a facet are on opposite
-// sides of it: conditions 0 and 1 of docs/theory/domains.md, listed faces aside. And all of the
-// following is right. Lists are ascending.
+// If they exist, every simplex has d + 1 different vertices, all of them points, and is not flat;
+// no two have the same vertices; no facet is in three of them, and two at a facet are on opposite
+// sides of it: conditions 0 and 1 of docs/theory/domains.md, except for listed faces. And all of
+// the following is right. Lists are ascending.
 struct SimplexFacts {
   std::vector<FacetId> boundary = {};  // all facets of one simplex
-  // Of two simplices, if balls were asked for: all that are not locally Delaunay; all whose apexes are on
-  // a common sphere; and those of these that the canonical perturbation makes not locally Delaunay.
+  // Facets of two simplices, if balls were asked for: all that are not locally Delaunay; all whose
+  // apexes are on a common sphere; and those of the latter that are not locally Delaunay under the
+  // canonical perturbation.
   std::vector<FacetId> not_local = {};
   std::vector<FacetId> ties = {};
   std::vector<FacetId> not_canonical = {};
   bool oriented = true;  // all simplices alike
-  // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2 and 3
-  // of docs/theory/points.md.)
+  // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2
+  // and 3 of docs/theory/points.md.)
   bool fills_hull = false;
-  // Is it known that no point is strictly inside the ball of a simplex that has a facet of its own, if that was asked
-  // for, in space?
+  // Is it known that no point is strictly inside the ball of a simplex that has a facet of its own,
+  // if that was asked for, in space?
   bool boundary_balls_are_empty = false;
   Stages stages = {};  // what decided the signs
 };
@@ -40,9 +41,8 @@ struct Wanted {
   bool boundary_balls = false;
 };
 
-// Undecided if the simplices are not as above; then nothing is known. Given neighbours and weights are
-// not looked at.
-// Instances: dimensions 2 and 3, std::int32_t and std::int64_t. Requires: threads ≥ 1.
+// Undecided if the simplices are not as above; then nothing is known. Given neighbours and weights
+// are ignored. Instances: dimensions 2 and 3, std::int32_t and std::int64_t. Requires: threads ≥ 1.
 template <std::size_t kDimension, typename Index>
 tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, Index>& mesh,
                                                     Wanted wanted, unsigned threads);

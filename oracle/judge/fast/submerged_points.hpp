@@ -22,8 +22,8 @@ class SubmergedPoints {
                   const Orientations& orientations)
       : mesh_(mesh), links_(links), orientations_(orientations) {}
 
-  // Each of the points must lie in a simplex, on or above its witness plane, and equal no other point.
-  // Adds to `swept` what that says about other triangulations.
+  // Each of the points must lie in a simplex, on or above its witness plane, and must not equal
+  // another point. Adds to `swept` what this implies about other triangulations.
   std::optional<Undecided> judge(const std::vector<std::size_t>& unused, Swept& swept) const {
     if (any_equal(unused)) return Undecided::kEqualPoints;
     const Located located{*this, swept.stages};
@@ -72,7 +72,7 @@ class SubmergedPoints {
            }) != order.end();
   }
 
-  // The mesh as the search for points wants it.
+  // Presents the mesh in the form that the point search needs.
   struct Located {
     const SubmergedPoints& mesh;
     Stages& stages;

@@ -34,7 +34,7 @@ class BlockSweep {
     }
   }
 
-  // Rows are read, and what they name is asked for, a block ahead.
+  // Rows are read, and what they name is prefetched, a block ahead.
   void run(std::size_t first, std::size_t last) {
     read(rows_[0], first, last);
     for (std::size_t turn = 0; swept_.goes_on(); ++turn) {
@@ -65,18 +65,18 @@ class BlockSweep {
     std::size_t first = 0;
     std::size_t count = 0;
     RowBlock<kVertices, Index> lanes;
-    std::array<Facet, kBlock * kVertices + 1> facets;  // one more, which is written and not kept
+    std::array<Facet, kBlock * kVertices + 1> facets;  // one more, which is written but not kept
     std::size_t facet_count = 0;
 
     std::span<const Facet> looked_at() const { return std::span(facets).first(facet_count); }
   };
 
-  // Neither of these is called in a mesh that holds: they stand apart from what is run.
+  // Neither of these is called in a mesh that holds: they are kept apart from the hot path.
   [[gnu::cold, gnu::noinline]] void give_up(Undecided reason) {
     if (!swept_.undecided) swept_.undecided = reason;
   }
 
-  // Of the block that is looked at.
+  // Of the current block.
   [[gnu::cold, gnu::noinline]] void doubt(Undecided reason) {
     if (!task_.past_doubts) return give_up(reason);
     if (!swept_.doubt) swept_.doubt = reason;
@@ -90,7 +90,7 @@ class BlockSweep {
     if constexpr (kWeighted) prefetch(mesh_.weights.data() + place, sizeof(double));
   }
 
-  // Indices name something; what they name is on its way.
+  // The indices are valid, and what they name has been prefetched.
   void read(Rows& rows, std::size_t first, std::size_t last) {
     rows.first = first;
     rows.count = std::min(kBlock, last - first);
@@ -126,7 +126,7 @@ class BlockSweep {
         leads_somewhere &= (beyond >= -1) & (beyond < size);
         boundary |= static_cast<std::uint32_t>(beyond < 0) << lane;
         shared += static_cast<std::size_t>(beyond >= 0);
-        // Which of the two comes first is a coin toss: no branch.
+        // A branch on which of the two comes first would be unpredictable.
         rows.facets[rows.facet_count] = {static_cast<std::uint32_t>(lane),
                                          static_cast<std::uint32_t>(place),
                                          static_cast<std::size_t>(beyond)};
@@ -167,7 +167,7 @@ class BlockSweep {
                               ? 1
                               : task_.orientations.of(s) * task_.orientations.of(facet.beyond);
       if ((product > 0) != (fit >= kOdd)) {
-        // Unless the one of them is oriented as expected and the other is not.
+        // Unless just one of the two is oriented as expected.
         if (!task_.orientations.are_equal()) return doubt(Undecided::kSameSide);
         swept_.mixed = true;
         return;

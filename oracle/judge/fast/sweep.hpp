@@ -1,5 +1,5 @@
-// One pass over the simplices that looks at every simplex and every facet once, and notes orientations, used points,
-// and simplices at the boundary.
+// One pass over the simplices that looks at every simplex and every facet once, and notes
+// orientations, used points, and simplices at the boundary.
 #pragma once
 
 #include <algorithm>
@@ -92,7 +92,8 @@ class BoundarySimplices {
   // Bit i of `bits`: simplex `block` · kBlock + i.
   void set(std::size_t block, std::uint32_t bits) { blocks_[block] = bits; }
 
-  // Their facets without a link in simplices `first` to `last` − 1, ascending. Requires: first is a multiple of kBlock.
+  // Their facets without a link in simplices `first` to `last` − 1, ascending. Requires: first is a
+  // multiple of kBlock.
   template <std::size_t kVertices, typename Link>
   std::vector<FacetId> facets(Links<Link> links, std::size_t first, std::size_t last) const {
     std::vector<FacetId> facets;
@@ -113,20 +114,20 @@ class BoundarySimplices {
 };
 
 // ---- Sweep ----
-// One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1 of
-// docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
+// One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1
+// of docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
 
 template <std::size_t kDimension, typename Index, typename Link>
 struct SweepTask {
   const MeshView<kDimension, Index>& mesh;
   Links<Link> links;
   const Orientations& orientations;       // if equal for all: that of one simplex
-  const SamplePoint<kDimension>* sample;  // none: simplices may cover what they like
+  const SamplePoint<kDimension>* sample;  // none: what the simplices cover does not matter
   bool balls;                             // are facets to be locally Delaunay?
   bool weighted;                          // in the weighted sense? Requires weights.
-  bool ties;                              // are those to be listed whose apex is on the sphere?
-  bool past_doubts = false;               // to the end, whatever is wrong with some?
-  Lattice lattice;  // one that all points lie on, and their weights if those count
+  bool ties;                              // list the facets whose apex is on the sphere?
+  bool past_doubts = false;               // continue to the end, even if some are wrong?
+  Lattice lattice;  // one that contains all points, and their weights if those count
   UsedPoints& used;
   BoundarySimplices& boundary;
   const BlockKernels<kDimension>* kernels = nullptr;  // none: the widest of this machine
@@ -137,7 +138,7 @@ inline Stages sum(const Stages& a, const Stages& b) {
           a.unbounded + b.unbounded};
 }
 
-// What the pass found in some of the simplices.
+// The result of the pass over some of the simplices.
 struct Swept {
   std::optional<Undecided> undecided = {};
   bool mixed = false;      // not all simplices are oriented alike; nothing else is known
@@ -149,28 +150,28 @@ struct Swept {
   std::vector<FacetId> not_local = {};      // the other apex is strictly inside the ball
   std::vector<FacetId> ties = {};           // it is on the sphere; listed if asked for
   std::vector<FacetId> not_canonical = {};  // those of them that the perturbation makes not local
-  // If the sweep goes past doubts: the first simplices of blocks in which something is wrong, ascending, of which
-  // nothing else is known but the number of links, and the first reason. Simplices of other blocks are sound, and so
-  // are their links to later ones.
+  // If the sweep continues past doubts: the first simplices of the blocks in which something is
+  // wrong, ascending, and the first reason. Nothing else is known about these blocks except the
+  // number of links. Simplices of other blocks are sound, and so are their links to later ones.
   std::vector<std::size_t> doubtful = {};
   std::optional<Undecided> doubt = {};
   Stages stages = {};
 
   bool goes_on() const { return !undecided && !mixed; }
-  // What was found in the simplices that follow.
+  // Adds the results for the simplices that follow.
   void append(const Swept& later);
 };
 
 // Sweeps simplices `first` to `last` − 1, where `first` is a multiple of kBlock; ends at the first
-// thing that is wrong. Facets of two of them are tested from the side of the one that comes first.
+// fault. A facet of two of them is tested from the simplex that comes first.
 template <std::size_t kDimension, typename Index, typename Link>
 Swept sweep(const SweepTask<kDimension, Index, Link>& task, std::size_t first, std::size_t last);
 
 // ---- Whole sweep ----
-// The sweep of all simplices of a mesh, by all threads; if not all of them are oriented alike, once more of those
-// to which that matters.
+// The sweep of all simplices of a mesh, by all threads; if not all of them are oriented alike,
+// those for which this matters are swept again.
 
-// What a sweep is to look at (SweepTask says more of each).
+// What a sweep has to check (SweepTask explains each).
 template <std::size_t kDimension>
 struct SweepQuestions {
   const SamplePoint<kDimension>* sample = nullptr;  // its simplex may be in another part of a mesh
@@ -183,7 +184,7 @@ struct SweepQuestions {
 template <std::size_t kDimension, typename Index, typename Link>
 class WholeSweep {
  public:
-  // How many simplices one thread looks at at a time.
+  // How many simplices one thread processes at a time.
   static constexpr std::size_t kChunk = std::size_t{1} << 12;
   static_assert(kChunk % kBlock == 0);
 
@@ -194,8 +195,8 @@ class WholeSweep {
         used_(mesh.points()),
         boundary_(mesh.size()) {}
 
-  // Undecided, or all conditions hold that `sweep` looks at, and every link is verified. Requires:
-  // at least one simplex; finite coordinates, and weights if they count.
+  // Undecided, or all conditions that `sweep` checks hold, and every link is verified. Requires: at
+  // least one simplex; finite coordinates, and weights if they count.
   Swept run(const SweepQuestions<kDimension>& questions) {
     Stages stages;
     const bool has_sample = questions.sample != nullptr && questions.sample->simplex < mesh_.size();
@@ -215,7 +216,7 @@ class WholeSweep {
     }
     Swept swept;
     for (const Swept& part : parts) swept.append(part);
-    // Signs are exact, so that no second pass finds one other than expected.
+    // Signs are exact, so a second pass finds only expected orientations.
     if (!swept.undecided && (swept.mixed || (swept.up != swept.down && !swept.doubt))) {
       swept.undecided = Undecided::kUnmatchedNeighbor;
     }
@@ -226,7 +227,7 @@ class WholeSweep {
   const Orientations& orientations() const { return orientations_; }
   // … which simplices have boundary facets …
   const BoundarySimplices& boundary() const { return boundary_; }
-  // … a lattice that all points lie on, or none …
+  // … a lattice that contains all points, or none …
   Lattice lattice() const { return lattice_; }
   // … and points that are not vertices, ascending.
   std::vector<std::size_t> unused() const { return used_.missing(); }
@@ -247,26 +248,28 @@ class WholeSweep {
     return sign;
   }
 
-  // Writes bit s of `negative` for simplices `begin` to `end` − 1: is s negatively oriented? Past doubts a flat simplex
-  // counts as positive: the second pass finds it. Requires: their words are 0, and no other thread's.
+  // Writes bit s of `negative` for simplices `begin` to `end` − 1: is s negatively oriented? When
+  // continuing past doubts, a flat simplex counts as positive: the second pass finds it. Requires:
+  // their words are 0, and no other thread writes them.
   std::optional<Undecided> orient(std::size_t begin, std::size_t end, bool past_doubts,
                                   std::vector<std::uint64_t>& negative) const {
-    Stages stages;  // every sign is asked for again
+    Stages stages;  // every sign is computed again
     for (std::size_t s = begin; s < end; ++s) {
       auto sign = orientation_of(s, stages);
       if (!sign) {
         if (!past_doubts || sign.error() != Undecided::kFlatSimplex) return sign.error();
         sign = 1;
       }
-      // Which of the two it is may be a coin toss: no branch.
+      // A branch on which of the two it is may be unpredictable.
       negative[s / kBits] |= std::uint64_t{*sign < 0} << (s % kBits);
     }
     return std::nullopt;
   }
 
-  // Makes orientations one bit each, where the sweep `parts` expected `first` of all, and returns the chunks that it would
-  // sweep otherwise with them, ascending: those in which something is wrong, and those from which a link leads to a
-  // simplex that is not oriented as the first. In all others every simplex is.
+  // Stores orientations as one bit each, given that the sweep `parts` expected `first` of all, and
+  // returns the chunks whose sweep they would change, ascending: those in which something is wrong,
+  // and those with a link to a simplex that is not oriented like the first. In all other chunks,
+  // every simplex is oriented like the first.
   tl::expected<std::vector<std::size_t>, Undecided> tell_orientations_apart(
       int first, bool past_doubts, const std::vector<Swept>& parts) {
     static_assert(kChunk % kBits == 0);

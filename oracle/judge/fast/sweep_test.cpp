@@ -1,4 +1,4 @@
-// The sweep of a mesh, and what is known of simplices whatever they cover.
+// The sweep of a mesh, and the facts about simplices that do not depend on what they cover.
 #include "oracle/judge/fast/sweep.hpp"
 
 #include <algorithm>
@@ -22,7 +22,8 @@
 namespace circumspect::fast {
 
 // ---- Sweep ----
-// The sweep as such: for every width of vectors, and where the filter leaves much to the exact stages.
+// The sweep itself: for every width of vectors, and where the filter leaves much to the exact
+// stages.
 
 namespace {
 
@@ -91,7 +92,8 @@ void hold_grid(std::size_t side) {
   const auto links = matched_facets(mesh.view(), 1);
   mesh.neighbors.assign(links->view().begin(), links->view().end());
   std::mt19937_64 random(kDimension);
-  // As it is; off any lattice of use, by as much everywhere; then by various amounts.
+  // Unchanged; moved off any useful lattice, by the same amount everywhere; then moved by various
+  // amounts.
   for (const int turn : {0, 1, 2}) {
     CAPTURE(turn);
     for (double& x : mesh.coordinates) {
@@ -126,7 +128,8 @@ TEST_CASE("facets that are not locally Delaunay are found, and ties, whatever de
 }
 
 // ---- Whole sweep ----
-// Simplices that are oriented otherwise than most: what is swept again says what a sweep says that knows all orientations.
+// Simplices oriented unlike most: sweeping some of them again gives the result of a sweep that
+// knows all orientations.
 
 // A sweep that knows all orientations; a flat simplex counts as positive.
 struct SeenByAll {
@@ -164,7 +167,7 @@ SeenByAll with_every_orientation_known(const MeshView<kDimension, std::int32_t>&
           boundary.facets<kDimension + 1>(Links<std::int32_t>(mesh.neighbors), 0, mesh.size())};
 }
 
-// Returns whether orientations differ, and whether something is wrong besides.
+// Returns whether orientations differ, and whether something else is wrong.
 template <std::size_t kDimension>
 std::array<bool, 2> hold_whole_sweep(const MeshInArrays<kDimension>& mesh, bool past_doubts) {
   const SeenByAll expected = with_every_orientation_known<kDimension>(mesh.view(), past_doubts);
@@ -194,7 +197,7 @@ std::array<bool, 2> hold_whole_sweep(const MeshInArrays<kDimension>& mesh, bool 
   return {is_mixed, is_mixed && expected.swept.doubt};
 }
 
-// Turns over: rows, and the stars of points, which are moved through facets.
+// Changes orientations: of rows, and of stars, by moving their points through facets.
 template <std::size_t kDimension>
 void hold_turned(std::size_t side) {
   constexpr std::size_t kVertices = kDimension + 1;
@@ -207,14 +210,14 @@ void hold_turned(std::size_t side) {
                      grid.simplices.begin() + static_cast<std::ptrdiff_t>(other * kVertices));
   }
   REQUIRE(grid.size() > 4 * WholeSweep<kDimension, std::int32_t, std::int32_t>::kChunk);
-  std::array<int, 2> seen = {};  // of those that are mixed: sound ones, and others
-  // The sanitizers see one turn in space, and in the plane two.
+  std::array<int, 2> seen = {};  // among the mixed meshes: sound ones, and others
+  // Under the sanitizers there is one turn in space, and two in the plane.
   constexpr bool kFew = properties::kOneInputIn > 1;
   constexpr int kFirst = kFew ? static_cast<int>(kDimension) - 1 : 0, kTurns = kFew ? 3 : 36;
   for (int turn = kFirst; turn < kTurns; ++turn) {
     CAPTURE(turn);
     auto mesh = grid;
-    const bool all = turn % 8 == 7;  // negative, but for some
+    const bool all = turn % 8 == 7;  // negative, except for some
     const auto turn_row = [&](std::size_t s) {
       std::swap(mesh.simplices[s * kVertices], mesh.simplices[s * kVertices + 1]);
     };
@@ -244,7 +247,7 @@ TEST_CASE("simplices that are oriented otherwise than most") {
 }
 
 // ---- Simplex facts ----
-// What is said of the simplices of a mesh that need not cover anything in particular.
+// The facts about simplices that need not cover anything in particular.
 
 using FacetIds = std::vector<FacetId>;
 
@@ -256,7 +259,7 @@ Undecided why_not(const MeshInArrays<2>& mesh) {
   return found.error();
 }
 
-// Two squares that share no vertex, the second without an own Delaunay diagonal.
+// Two squares that share no vertex; the second one has no unique Delaunay diagonal.
 const MeshInArrays<2> kTwoSquares{{0, 0, 1, 0, 0, 1, 1, 1, 5, 5, 6, 5, 5, 6, 7, 7},
                                   {0, 1, 3, 0, 3, 2, 4, 5, 6, 5, 7, 6}};
 
@@ -347,7 +350,7 @@ TEST_CASE("whether balls at the boundary are empty, if that is asked") {
               ->boundary_balls_are_empty);
   }
   CHECK_FALSE(simplex_facts(grid.view(), kBalls, 1)->boundary_balls_are_empty);
-  // Nothing is known where numbers are far apart. A ball whose radius is beyond all doubles is looked at.
+  // Nothing is known if numbers differ too much in size. One ball has a radius beyond all doubles.
   const auto is_known_empty = [](double height) {
     const MeshInArrays<3> one{{0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, height}, {0, 1, 2, 3}};
     return simplex_facts(one.view(), {.balls = true, .boundary_balls = true}, 1)

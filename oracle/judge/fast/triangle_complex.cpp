@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::array<std::int32_t, 3>;
 
-// How points of a list lie to one another, by exact signs.
+// The positions of points of a list with respect to one another, by exact signs.
 class Points {
  public:
   explicit Points(std::span<const double> coordinates)
@@ -55,7 +55,7 @@ PlaneAxes axes_of(const Points& points, const Corners& t) {
 
 // ---- Two triangles ----
 
-// A triangle, or a segment of it, of some plane, against others of the plane.
+// A triangle, or one of its segments, against others of the same plane.
 class InPlane {
  public:
   InPlane(const Points& points, const Corners& triangle)
@@ -82,7 +82,8 @@ class InPlane {
     const int side = turn(p, q, triangle_[0]);
     return side != 0 && turn(p, q, triangle_[1]) == side && turn(p, q, triangle_[2]) == side;
   }
-  // Is the direction from the apex, a corner, to v in the closed angle of the triangle there?
+  // Is the direction from the apex, a corner of the triangle, to v in the closed angle of the
+  // triangle there?
   bool has_in_angle(std::int32_t apex, std::int32_t v) const {
     const std::size_t at = apex == triangle_[0] ? 0 : apex == triangle_[1] ? 1 : 2;
     return turn(apex, triangle_[(at + 1) % 3], v) != -front_ &&
@@ -96,8 +97,8 @@ class InPlane {
   int front_ = 0;
 };
 
-// Do the ends of a segment lie strictly on either side of the plane of a triangle, and the segment meets the triangle?
-// Requires: the first.
+// Does a segment meet a triangle? Requires: its ends lie strictly on different sides of the
+// triangle's plane.
 bool pierces(const Points& points, std::int32_t p, std::int32_t q, const Corners& triangle) {
   bool left = false, right = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -117,7 +118,8 @@ bool are_strictly_on_one_side(const std::array<int, 3>& sides) {
   return sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
 }
 
-// Does an edge of a triangle meet another triangle, given on which sides of the other's plane the corners are?
+// Does an edge of a triangle meet another triangle, given the sides of the other's plane on which
+// the corners are?
 bool an_edge_meets(const Points& points, const Corners& triangle, const std::array<int, 3>& sides,
                    const Corners& other) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -138,9 +140,10 @@ bool an_edge_meets(const Points& points, const Corners& triangle, const std::arr
   return false;
 }
 
-// Have two triangles without a common vertex no point in common? If they have one and are of different planes, an
-// edge of one meets the other. In one plane an edge of one has the other beyond its line if they have none: the
-// difference of the two, as sets, is a polygon without the origin, and each of its edges is parallel to one of theirs.
+// Are two triangles without a common vertex disjoint? If they are not, and lie in different planes,
+// an edge of one meets the other. If they are coplanar and disjoint, one triangle has an edge whose
+// line has the other triangle strictly beyond it: the Minkowski difference of the two is a polygon
+// without the origin, and each of its edges is parallel to one of theirs.
 bool are_apart(const Points& points, const Corners& a, const Corners& b) {
   const std::array<int, 3> of_b = sides_of(points, a, b);
   if (are_strictly_on_one_side(of_b)) return true;
@@ -158,10 +161,11 @@ std::array<std::int32_t, 2> others(const Corners& triangle, std::int32_t corner)
   return {triangle[(at + 1) % 3], triangle[(at + 2) % 3]};
 }
 
-// Do two triangles with one common vertex meet in it alone? What else they have in common reaches the vertex, since it is
-// convex. In one plane it is more than the vertex iff a side of one angle is in the other angle. In two planes
-// it is a segment from the vertex, and ends where an edge opposite the vertex meets the other triangle, or is part of
-// an edge at the vertex.
+// Do two triangles with one common vertex meet only there? Their intersection is convex, so
+// anything else in it is connected to the vertex. If they are coplanar, it is more than the vertex
+// iff a side of one angle is in the other angle. In two planes it is a segment from the vertex,
+// which ends where an edge opposite the vertex meets the other triangle, or is part of an edge at
+// the vertex.
 bool meet_in_vertex(const Points& points, const Corners& a, const Corners& b, std::int32_t v) {
   const auto of_a = others(a, v), of_b = others(b, v);
   const int b0 = points.side(a, of_b[0]), b1 = points.side(a, of_b[1]);
@@ -178,7 +182,8 @@ bool meet_in_vertex(const Points& points, const Corners& a, const Corners& b, st
   return !pierces(points, of_b[0], of_b[1], a) && !pierces(points, of_a[0], of_a[1], b);
 }
 
-// Do two triangles with two common vertices, and a third each, meet in the edge between them alone?
+// Do two triangles with two common vertices and different third vertices meet only in the edge
+// between the two?
 bool meet_in_edge(const Points& points, const Corners& a, std::int32_t apex_a,
                   std::int32_t apex_b) {
   if (points.side(a, apex_b) != 0) return true;

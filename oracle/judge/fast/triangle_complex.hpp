@@ -7,17 +7,17 @@
 
 namespace circumspect::fast {
 
-// Is it certain that the triangles are a simplicial complex? That is, none has its corners on one line, no
-// two are the same, and two that have a point in common meet in a common vertex or a common edge. True only
-// if they are. False also where it would take long to know: where more than some hundred triangles for each
-// of the list are near each other, as at a vertex of many.
-// Requires: finite coordinates, three a point; the corners of each triangle are three different points of the list, and
-// no two points are equal.
+// Is it certain that the triangles are a simplicial complex? That is, none has its corners on one
+// line, no two are the same, and two that have a point in common meet in a common vertex or a
+// common edge. True only if they are. Also false if it would take long to find out, because there
+// are more than some hundred pairs of nearby triangles for each triangle of the list, as at a
+// vertex of many triangles. Requires: finite coordinates, three a point; the corners of each
+// triangle are three different points of the list, and no two points are equal.
 bool are_surely_a_complex(std::span<const double> coordinates,
                           std::span<const std::array<std::int32_t, 3>> triangles);
 
-// The first two axes of xy, xz and yz on which a triangle is not flat; none if its corners are on one line.
-// Requires: as above.
+// The first of the axis pairs xy, xz and yz on which a triangle is not flat; nothing if its corners
+// are on one line. Requires: as above.
 struct PlaneAxes {
   std::size_t x = 0, y = 0;  // equal: none
   bool none() const { return x == y; }

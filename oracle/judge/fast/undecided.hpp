@@ -6,7 +6,7 @@
 namespace circumspect::fast {
 
 // The first condition that was not met, or what the fast judge does not handle. It is not a
-// verdict: what is wrong, if anything, is for oracle/judge/points to say.
+// verdict: oracle/judge/points says what is wrong, if anything.
 enum class Undecided {
   kEmpty,              // no simplices
   kTooLarge,           // too many simplices to match their facets

@@ -25,18 +25,18 @@ struct Options {
   unsigned threads = 0;
 };
 
-// Is the mesh a triangulation of its points? Book: Definition 2.1, Section 4.1: a simplicial complex
-// whose vertices are the points and whose union is their convex hull. Weights play no part.
+// Is the mesh a triangulation of its points? Book: Definition 2.1, Section 4.1: a simplicial
+// complex whose vertices are the points and whose union is their convex hull. Weights play no part.
 Verdict triangulation(const ExactMesh& mesh, const Options& options = {});
 
 // Is it a Delaunay triangulation of its points? Book: Definition 4.1, Lemma 4.1.
 // Requires: the points carry no weights.
 Verdict delaunay(const ExactMesh& mesh, const Options& options = {});
 
-// Is it a weighted Delaunay triangulation: a triangulation of some of the points, whose union is the
-// convex hull of all, such that no lifted point lies strictly below the witness plane of a simplex?
-// Points on the lower hull that are not extreme may be vertices or not. Book: Section 5.2. Where all
-// weights are equal, it is the claim `delaunay`.
+// Is it a weighted Delaunay triangulation: a triangulation of some of the points, whose union is
+// the convex hull of all, such that no lifted point lies strictly below the witness plane of a
+// simplex? Points on the lower hull that are not extreme may be vertices or not. Book: Section 5.2.
+// Where all weights are equal, it is the claim `delaunay`.
 Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options = {});
 
 // Further demands on a mesh that was judged by definition: that all simplices are listed with the

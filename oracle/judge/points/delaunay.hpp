@@ -63,7 +63,8 @@ struct SharedFacet {
 int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& shared,
                                  Verdict& verdict);
 
-// The others require sound simplices whose facets lie in one or two of them, two being on opposite sides.
+// The others require sound simplices whose facets lie in one or two of them, two being on opposite
+// sides.
 
 // Lemma 4.1: every facet is locally Delaunay. Where the mesh is a triangulation, this is enough for
 // its vertices (see judge_submerged_points for the other points of a weighted set). A facet that is

@@ -1,5 +1,5 @@
-// Each simplex by itself, and the set of vertices: conditions that must hold before simplices can be compared with
-// each other.
+// Each simplex by itself, and the set of vertices: conditions that must hold before simplices can
+// be compared with each other.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace circumspect::check {
 bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict,
                      std::optional<int> of_most = std::nullopt);
 
-// The points that are not vertices of a simplex, ascending.
+// The points that are not vertices of any simplex, ascending.
 std::vector<Vertex> unused_points(const ExactMesh& mesh);
 
 // triangulation.unused-point: the vertices must be all the points.

@@ -47,7 +47,7 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
 }
 
 // ---- Triangulation by lemma ----
-// Conditions 1–3 of docs/theory/points.md, where it is proved that they suffice.
+// Conditions 1–3 of docs/theory/points.md, which proves that they suffice.
 
 namespace {
 

@@ -32,8 +32,8 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 
 // ---- Triangulation ----
 
-// All require that judge_simplices found nothing wrong, and say whether every facet lies in one
-// or two simplices, two being on opposite sides of it.
+// All three require that judge_simplices found nothing wrong, and return whether every facet lies
+// in one simplex or in two on opposite sides of it.
 
 // Each of the three looks only at the facets, ridges and simplices that it is given. If all faulty
 // ones are already known, it needs no others.
@@ -42,13 +42,13 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                           Verdict& verdict);
 
-// Condition 2: each boundary ridge lies in exactly two boundary facets, and these do not make a reflex or
-// folded angle. `ridges` are the uses of the boundary's own facets.
+// Condition 2: each boundary ridge lies in exactly two boundary facets, and these do not make a
+// reflex or folded angle. `ridges` are the uses of the boundary's own facets.
 bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                   const std::vector<FacetUse>& ridges, Verdict& verdict);
 
-// Condition 3: the barycentre of the first simplex lies strictly on the inner side of every boundary facet
-// and in no other closed simplex.
+// Condition 3: the barycentre of the first simplex lies strictly on the inner side of every
+// boundary facet and in no other closed simplex.
 void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                         Verdict& verdict);
 

@@ -1,4 +1,5 @@
-// Whether simplices are a complex that covers the hull: each rule broken alone, by the smallest mesh.
+// Whether simplices are a complex that covers the hull: each rule broken alone, by the smallest
+// mesh.
 #include "oracle/judge/points/triangulation.hpp"
 
 #include <map>

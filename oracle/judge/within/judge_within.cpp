@@ -26,13 +26,11 @@ Claim with_steiner_points(Claim claim) {
   return claim == Claim::kCdt ? Claim::kSteinerCdt : claim;
 }
 
-// Is there a fault that no distance mends: of a simplex or a listed face by itself, or of a facet that three simplices
-// share, wherever they are?
+// Is a simplex or a listed face at fault by itself, or listed twice? A facet that three simplices share is no such fault: the
+// distance at which all cells have images is found as well.
 bool is_unsound(const Verdict& verdict) {
   return std::any_of(verdict.tallies().begin(), verdict.tallies().end(), [](const auto& tally) {
-    const Rule rule = tally.first;
-    if (rule == Rule::kOrientation) return false;
-    return stage(rule) == Stage::kSimplices || rule == Rule::kFacetOverused;
+    return stage(tally.first) == Stage::kSimplices && tally.first != Rule::kOrientation;
   });
 }
 

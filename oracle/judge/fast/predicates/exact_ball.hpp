@@ -14,8 +14,8 @@
 
 namespace circumspect::fast {
 
-// Answers as exact_sign does, by the same stages: integers of the simplex are made once, its
-// cofactors when a query first needs them. Without weights.
+// Gives the answers of exact_sign, by the same stages: the integers of the simplex are computed
+// once, its cofactors when a query first needs them. It does not support weights.
 template <std::size_t kDimension>
 class ExactBall {
  public:

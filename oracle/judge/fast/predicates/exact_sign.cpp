@@ -16,7 +16,7 @@ namespace circumspect::fast {
 
 namespace {
 
-// An integer of any size whose operations return values, as polynomials.hpp wants them: those of
+// An integer of any size whose operations return values, as polynomials.hpp requires: those of
 // Integer itself return references to their operands.
 struct Unbounded {
   Integer value;
@@ -27,7 +27,8 @@ struct Unbounded {
   friend Unbounded operator*(const Unbounded& a, const Unbounded& b) { return {a.value * b.value}; }
 };
 
-// The sites but the simplex's last, as seen from there: T holds differences, H (two factors) heights.
+// The sites but the simplex's last, as seen from there: T holds differences, H (two factors)
+// heights.
 template <std::size_t kDimension, std::size_t kCount, typename T, typename H>
 struct Rows {
   std::array<std::array<T, kDimension>, kCount - 1> at;
@@ -78,11 +79,12 @@ constexpr std::size_t site_of_row(std::size_t i) {
 
 // ── Differences in one limb ──────────────────────────────────────────────────────────────────────
 
-// Of a difference of weights, where one of coordinates is in a Fixed<1>. Heights are then at most 4
-// · 2^124, and the polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
+// The bits of a difference of weights, if differences of coordinates are in a Fixed<1>. Heights are
+// then at most 4 · 2^124, and the polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
 constexpr int kWeightBits = 2 * kLimbBits;
 
-// value / 2^unit, if that is an integer of less than kWeightBits bits, so that differences have no more.
+// value / 2^unit, if that is an integer of less than kWeightBits bits, so that differences have no
+// more.
 std::optional<Int128> weight_in(double value, int unit) {
   const Dyadic parts = dyadic(value);
   if (parts.mantissa == 0) return Int128{0};
@@ -112,7 +114,8 @@ struct Grid {
   int weight_bits = 0;  // of the largest difference of weights
 };
 
-// Takes the common factors of two out of the differences, and those of four out of the weights.
+// Divides the differences by their common powers of two, and the weights by the corresponding
+// powers of four.
 template <std::size_t kDimension, std::size_t kCount>
 void reduce(Grid<kDimension, kCount>& grid, bool weighted) {
   std::uint64_t any = 0, widest = 0;
@@ -206,8 +209,8 @@ std::optional<int> sign_on_grid(const Sites<kDimension, kCount>& sites, bool wei
 
 // ── Differences in more ──────────────────────────────────────────────────────────────────────────
 
-// The largest power of two that divides every coordinate and whose square divides every weight, and how
-// many bits coordinates and weights have in these units.
+// The largest power of two that divides every coordinate and whose square divides every weight, and
+// how many bits coordinates and weights have in these units.
 struct Extent {
   int unit = 2000;
   int bits = 0;

@@ -12,14 +12,14 @@ namespace circumspect::fast {
 template <std::size_t kDimension, std::size_t kCount>
 using Sites = std::array<const Site<kDimension>*, kCount>;
 
-// Coordinates are multiples of a power of two, hence integers in that unit; differences without their
-// common factor of two are what counts for the width. The first of these that suffices:
+// Coordinates are multiples of a power of two, hence integers in that unit; the width depends on
+// the differences without their common power of two. The first stage that suffices is used:
 // `narrow`, `fixed`, `wide`, `unbounded`.
 //
 // kCount == kDimension + 1: the orientation, as `orientation` in predicates.hpp.
 // kCount == kDimension + 2: the ball test, as `in_ball` there, with weights if `weighted`.
-// Requires: finite coordinates (and weights, if weighted). No assumption on rounding but that products
-// with a power of two are exact where the result is a double.
+// Requires: finite coordinates (and weights, if weighted). It assumes nothing about rounding except
+// that products with a power of two are exact if the result is a double.
 template <std::size_t kDimension, std::size_t kCount>
 int exact_sign(const Sites<kDimension, kCount>& sites, bool weighted, Stages& stages);
 

@@ -1,4 +1,5 @@
-// The first stage: polynomials with doubles, bounds on their errors, and whether their signs are certain.
+// The first stage: polynomials with doubles, bounds on their errors, and whether their signs are
+// certain.
 #pragma once
 
 #include <cmath>
@@ -12,11 +13,11 @@
 namespace circumspect::fast {
 
 // ---- Filter bounds ----
-// How far the polynomials of polynomials.hpp, evaluated with doubles, may be from their exact values.
+// Bounds on the errors of the polynomials of polynomials.hpp when evaluated with doubles.
 
-// Each is proved by the script proofs/filters/NAME.gappa, for differences (and weights) scaled so that
-// the largest in its column is 1. Columns have degree one in the polynomials, so that for others the
-// bound is multiplied by the largest entry of each column; see proofs/filters/README.md.
+// Each is proved by the script proofs/filters/NAME.gappa, for differences (and weights) scaled so
+// that the largest in its column is 1. Columns have degree one in the polynomials, so that for
+// others the bound is multiplied by the largest entry of each column; see proofs/filters/README.md.
 inline constexpr double kOrientation2 = 0x1.001p-50;      // orientation_2.gappa
 inline constexpr double kOrientation3 = 0x1.701p-48;      // orientation_3.gappa
 inline constexpr double kInCircle = 0x1.001p-46;          // in_circle.gappa
@@ -24,13 +25,13 @@ inline constexpr double kInCircleWeighted = 0x1.801p-46;  // in_circle_weighted.
 inline constexpr double kInSphere = 0x1.189p-43;          // in_sphere.gappa
 inline constexpr double kInSphereWeighted = 0x1.781p-43;  // in_sphere_weighted.gappa
 
-// What multiplying with the largest entries may lose by rounding: at most five products, each rounded,
-// are low by a factor of at most (1 − 2^-53)^5 > 1 − 2^-50.
+// The loss from rounding when the bound is multiplied by the largest entries: at most five
+// products, each rounded, are low by a factor of at most (1 − 2^-53)^5 > 1 − 2^-50.
 inline constexpr double kRoundedBound = 1 + 0x1p-40;
 
-// Within these limits of the largest entry of each column of coordinates (their squares: of heights)
-// nothing overflows, and what underflow adds to one product is at most 2^-125 after scaling, which
-// is what the scripts assume. Largest: 2^(5·190) times at most 2^7.
+// Within these limits of the largest entry of each column of coordinates (their squares: of
+// heights) nothing overflows, and what underflow adds to one product is at most 2^-125 after
+// scaling, which is what the scripts assume. Largest: 2^(5·190) times at most 2^7.
 inline constexpr double kSmallestScale = 0x1p-190;
 inline constexpr double kLargestScale = 0x1p190;
 inline constexpr double kLargestHeight = 0x1p380;
@@ -47,8 +48,8 @@ struct Scale3 {
   double x, y, z, weight = 0;
 };
 
-// All that follows is inlined always, and has no branch, so that loops over many simplices become
-// vector instructions (block.cpp).
+// Everything that follows is always inlined, and has no branch, so that loops over many simplices
+// become vector instructions (block.cpp).
 [[gnu::always_inline]] inline double larger(double a, double b) { return a < b ? b : a; }
 [[gnu::always_inline]] inline double smaller(double a, double b) { return b < a ? b : a; }
 [[gnu::always_inline]] inline Scale2 larger(const Scale2& a, const Scale2& b) {
@@ -58,8 +59,9 @@ struct Scale3 {
   return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.weight, b.weight)};
 }
 
-// A site as seen from the simplex's last vertex, and the size of what is in it. As operations:
-// differences of coordinates, the height, and if kWeighted the difference of the weights off the height.
+// A site relative to the simplex's last vertex, and the sizes of its entries. The operations are:
+// differences of coordinates, the height, and if kWeighted, the height minus the difference of the
+// weights.
 struct FilterRow2 {
   Row2<double, double> row;
   Scale2 scale;
@@ -87,10 +89,10 @@ template <bool kWeighted>
   return {{x, y, z, w - weight}, {std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(weight)}};
 }
 
-// The sign of a polynomial whose computed value is `value`, if it is certain. `columns` is the product
-// of the largest entries of its columns, `smallest` and `largest` those of the columns of coordinates.
-// A column of zeros makes the polynomial zero. Differences that overflowed fail the second test, and
-// NaN (from infinities) the comparisons. If `exact`, nothing was rounded.
+// The sign of a polynomial whose computed value is `value`, if it is certain. `columns` is the
+// product of the largest entries of its columns, `smallest` and `largest` those of the columns of
+// coordinates. A column of zeros makes the polynomial zero. Differences that overflowed fail the
+// second test, and NaN (from infinities) fails the comparisons. If `exact`, nothing was rounded.
 template <typename Sign>
 [[gnu::always_inline]] inline Sign certain_sign(double value, double bound, double columns,
                                                 double smallest, double largest,
@@ -122,7 +124,7 @@ template <typename Sign>
                             lattice.keeps_exact(largest));
 }
 
-// With a column of heights: paraboloid and weights, whichever is larger.
+// With a column of heights: the larger of paraboloid and weights.
 template <typename Sign>
 [[gnu::always_inline]] inline Sign certain_lifted_sign(double value, double bound,
                                                        const Scale2& scale, Lattice lattice) {
@@ -142,9 +144,9 @@ template <typename Sign>
 }
 
 // ---- Simplex filter ----
-// The first stage for a simplex and what is asked of it: what depends on the simplex alone is
-// computed once. One text for single simplices (predicates.hpp) and for many (block.cpp), which has
-// to be inlined.
+// The first stage for a simplex and its queries: what depends on the simplex alone is computed
+// once. Single simplices (predicates.hpp) and many (block.cpp) share this code, which has to be
+// inlined.
 
 template <std::size_t kDimension>
 struct SimplexFilter;

@@ -1,5 +1,5 @@
-// Integers of fixed width for the exact stages. Nothing is checked: callers know from the sizes of the factors
-// that nothing overflows.
+// Integers of fixed width for the exact stages. Nothing is checked: callers know from the sizes of
+// the factors that nothing overflows.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace circumspect::fast {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;
 
-// A form of some degree in numbers of 30 bits or, up to degree five, of 23 bits.
-// Up to degree two it fits in 64 bits, beyond in 128.
+// A form of some degree in numbers of 30 bits or, up to degree five, of 23 bits. It fits in 64 bits
+// up to degree two, and in 128 bits beyond.
 template <int kDegree>
 struct Narrow {
   using Word = std::conditional_t<(kDegree <= 2), std::int64_t, Int128>;
@@ -34,8 +34,8 @@ Narrow<kLeft + kRight> operator*(Narrow<kLeft> a, Narrow<kRight> b) {
   return {static_cast<Word>(a.value) * static_cast<Word>(b.value)};
 }
 
-// Sum and difference of limbs, and the carry or borrow into the next. Compilers know the instructions for
-// it by these names only.
+// Sum and difference of limbs, with the carry or borrow into the next. Compilers emit the right
+// instructions only for these intrinsics.
 inline std::uint64_t add_with_carry(std::uint64_t a, std::uint64_t b, unsigned char& carry) {
 #ifdef __x86_64__
   unsigned long long sum;
@@ -90,7 +90,8 @@ struct Fixed {
   }
 };
 
-// The full product: of the limbs as unsigned numbers, less what counting the sign bits as positive adds.
+// The full product: that of the limbs as unsigned numbers, minus the excess from counting the sign
+// bits as positive.
 template <std::size_t kLeft, std::size_t kRight>
 Fixed<kLeft + kRight> operator*(const Fixed<kLeft>& a, const Fixed<kRight>& b) {
   Fixed<kLeft + kRight> product{};

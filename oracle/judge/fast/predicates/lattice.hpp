@@ -15,7 +15,7 @@
 namespace circumspect::fast {
 
 // ---- Dyadic ----
-// A double as what it is: an integer times a power of two.
+// A double as an integer times a power of two.
 
 struct Dyadic {
   std::int64_t mantissa;  // odd, or 0
@@ -41,13 +41,15 @@ inline Dyadic dyadic(double value) {
 }
 
 // ---- Lattice ----
-// Where doubles are exact: differences of at most 512 units, on a lattice that all points lie on.
+// Doubles are exact on differences of at most 512 units of a lattice that contains all points.
 
-// In units of a lattice differences are integers; if none is above 2^9, and no difference of weights
-// above 2^18, the heights are below 2^20, and whatever occurs in a polynomial of degree five is an
-// integer below 2^(5·9 + 7) < 2^53: each operation is exact. So zeros on a grid cost nothing extra.
+// In units of a lattice, differences are integers; if none is above 2^9, and no difference of
+// weights above 2^18, the heights are below 2^20, and every intermediate value of a polynomial of
+// degree five is an integer below 2^(5·9 + 7) < 2^53: each operation is exact. So zeros on a grid
+// cost nothing extra.
 struct Lattice {
-  // A power of two that divides every coordinate, its square every weight that counts; 0: none is known.
+  // A power of two that divides every coordinate, and whose square divides every weight that
+  // counts; 0: none is known.
   double unit = 0;
 
   [[gnu::always_inline]] bool keeps_exact(double largest, double largest_weight = 0) const {
@@ -56,13 +58,14 @@ struct Lattice {
   }
 
   static constexpr double kReach = 512;
-  // Within these, neither the square of the reach nor a product of five differences leaves the doubles.
+  // Within these limits, neither the square of the reach nor a product of five differences
+  // overflows or underflows.
   static constexpr int kLeastExponent = -199;
   static constexpr int kGreatestExponent = 190;
 };
 
-// The coarsest lattice that the sites lie on; none if its unit would be out of bounds.
-// Requires: finite coordinates (and weights, if weighted).
+// The coarsest lattice that contains the sites; none if its unit would be out of bounds. Requires:
+// finite coordinates (and weights, if weighted).
 template <std::size_t kDimension>
 Lattice lattice_of(std::span<const Site<kDimension>> sites, bool weighted) {
   int exponent = Lattice::kGreatestExponent;
@@ -76,10 +79,9 @@ Lattice lattice_of(std::span<const Site<kDimension>> sites, bool weighted) {
   return exponent < Lattice::kLeastExponent ? Lattice{} : Lattice{std::ldexp(1, exponent)};
 }
 
-// The coarsest lattice that all points of a mesh lie on, and their weights if those count; none if
-// it is so fine that simplices of 512 units would not make up the mesh: 2^-40 of its largest
-// coordinate. Almost all meshes are off such a lattice within a few points. Requires: finite
-// numbers.
+// The coarsest lattice that contains all points of a mesh, and their weights if those count; none
+// if it is so fine, 2^-40 of the largest coordinate, that a mesh cannot consist of simplices of 512
+// units. For almost all meshes a few points rule such a lattice out. Requires: finite numbers.
 inline Lattice lattice_of_all(std::span<const double> coordinates,
                               std::span<const double> weights) {
   constexpr int kFinest = 40;
@@ -101,9 +103,9 @@ inline Lattice lattice_of_all(std::span<const double> coordinates,
 }
 
 // ---- Grid unit ----
-// Coordinates as integers in a common unit: what most exact signs are decided with.
+// Coordinates as integers in a common unit, which decide most exact signs.
 
-// Of a difference in one limb.
+// The bits of a difference in one limb.
 inline constexpr int kLimbBits = 62;
 
 // The power of two in which the largest coordinate has 61 bits, so that differences have at most
@@ -113,7 +115,7 @@ struct GridUnit {
   int exponent;
   double value, inverse;
 
-  // None if it is hard to name. Requires: finite.
+  // Nothing if there is no convenient unit. Requires: finite.
   static std::optional<GridUnit> of(double largest) {
     const int largest_exponent = exponent_of(largest);
     if (largest_exponent < -900 || largest_exponent > 900) return std::nullopt;
@@ -121,13 +123,13 @@ struct GridUnit {
     return GridUnit{largest_exponent, exponent, power(exponent), power(-exponent)};
   }
 
-  // Of |value|, rounded down.
+  // The binary logarithm of |value|, rounded down.
   static int exponent_of(double value) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(std::fabs(value)) >> 52) - 1023;
   }
 
   // The coordinates in this unit; false if one is not a multiple of it. Requires: none is larger
-  // than what the unit was made for.
+  // than the coordinate that the unit was made for.
   template <std::size_t kDimension>
   [[gnu::always_inline]] bool divide(const Site<kDimension>& site,
                                      std::array<std::int64_t, kDimension>& whole) const {

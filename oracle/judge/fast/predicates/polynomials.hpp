@@ -1,10 +1,11 @@
-// The polynomials behind orientation and in-sphere tests, each written once: evaluated with doubles by
-// the filters, with integers by the exact stages, and with terms by the test that writes the Gappa
-// scripts of proofs/filters. So a bound is proved for the very operations, in the very order, that run.
-// Book: Section 3.1 (Orient2D, Orient3D, InCircle, InSphere), Section 5.2 (heights of weighted points).
+// The polynomials behind orientation and in-sphere tests, each written once: evaluated with doubles
+// by the filters, with integers by the exact stages, and with terms by the test that writes the
+// Gappa scripts of proofs/filters. So a bound is proved for exactly the operations that run, in the
+// same order. Book: Section 3.1 (Orient2D, Orient3D, InCircle, InSphere), Section 5.2 (heights of
+// weighted points).
 //
-// All are polynomials in differences: a row is a point minus the last vertex of the simplex, c or d.
-// They are inlined always: a call takes as long as half of the operations.
+// All are polynomials in differences: a row is a point minus the last vertex of the simplex, c or
+// d. They are always inlined, because a call takes as long as half of the operations.
 #pragma once
 
 namespace circumspect::fast {

@@ -1,15 +1,19 @@
 // Orientation and ball tests of points given by doubles: exact, and as fast as doubles where those
-// suffice. Book: Section 3.1 (Orient2D, Orient3D, InCircle, InSphere); Section 5.2 for weighted points.
+// suffice. Book: Section 3.1 (Orient2D, Orient3D, InCircle, InSphere); Section 5.2 for weighted
+// points.
 //
 // Laws (held by predicates_test.cpp, and by predicates_soak_test.cpp on a million tuples of every
 // family, under these numbers):
 //  F1 each sign is the sign of kernel/predicates, whatever the stage that decides: for numbers from
-//     the least denormal to the largest double, one ulp apart, far from the origin, with exact zeros.
+//     the least denormal to the largest double, one ulp apart, far from the origin, with exact
+//     zeros.
 //  F2 coordinates (and weights, where they count) are finite; other input is a breach of contract.
-//  F3 the arithmetic is as oracle/judge/fast/predicates/arithmetic.hpp says; `arithmetic_is_as_proved` tests it.
+//  F3 the arithmetic is as oracle/judge/fast/predicates/arithmetic.hpp says;
+//     `arithmetic_is_as_proved` tests it.
 //  F4 each call adds one to exactly one of the stages.
 //  F5 a filter's bound is the one that a script in proofs/filters proves for its operations
-//     (gappa_scripts_test.cpp), which are the same for many simplices side by side (block_test.cpp).
+//     (gappa_scripts_test.cpp), which are the same for many simplices side by side
+//     (block_test.cpp).
 //  F6 a lattice that all points lie on changes no sign.
 #pragma once
 
@@ -23,7 +27,7 @@
 
 namespace circumspect::fast {
 
-// Positive for counterclockwise triangles. `lattice` is one that all points lie on, if that is
+// Positive for counterclockwise triangles. `lattice` contains all points, if such a lattice is
 // known.
 int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages,
                 Lattice lattice = {});
@@ -31,21 +35,21 @@ int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& st
 int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& d,
                 Stages& stages, Lattice lattice = {});
 
-// A simplex whose ball, or witness plane if weighted, is asked for several queries: what depends on the
-// simplex alone is computed once, and gives its orientation on the way.
+// A simplex whose ball, or witness plane if weighted, is compared with several queries: what
+// depends on the simplex alone is computed once, which also gives its orientation.
 template <std::size_t kDimension, bool kWeighted = false>
 class Ball;
 
 template <bool kWeighted>
 class Ball<2, kWeighted> {
  public:
-  // `lattice` is one that all vertices and queries lie on, if that is known.
+  // `lattice` contains all vertices and queries, if such a lattice is known.
   Ball(const Site<2>& a, const Site<2>& b, const Site<2>& c, Lattice lattice = {});
 
   int orientation(Stages& stages) const;
   // For a positively oriented simplex: positive iff the query is inside the open ball (weighted:
-  // strictly below the witness plane), zero iff on its boundary. Negated if negatively oriented; what
-  // it says of a degenerate simplex is the sign of the polynomial.
+  // strictly below the witness plane), zero iff on its boundary. Negated if negatively oriented;
+  // for a degenerate simplex it is the sign of the polynomial.
   int contains(const Site<2>& query, Stages& stages) const;
 
  private:

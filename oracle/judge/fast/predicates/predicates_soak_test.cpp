@@ -1,5 +1,5 @@
-// Law F1 of oracle/judge/fast/predicates/predicates.hpp on a million tuples of every family of inputs and every kind of
-// hard tuple, in the plane and in space.
+// Law F1 of oracle/judge/fast/predicates/predicates.hpp on a million tuples of every family of
+// inputs and every kind of hard tuple, in the plane and in space.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -17,7 +17,7 @@
 namespace circumspect::fast {
 namespace {
 
-// A hundredth of the tuples takes seconds: CIRCUMSPECT_TUPLES=10000.
+// CIRCUMSPECT_TUPLES=10000, a hundredth of the tuples, takes seconds.
 int tuples_each() {
   const char* const given = std::getenv("CIRCUMSPECT_TUPLES");
   return given == nullptr ? 1000000 : std::atoi(given);

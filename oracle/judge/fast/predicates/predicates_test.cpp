@@ -135,8 +135,8 @@ TEST_CASE("F1: on tuples of every kind the signs are those of the reference") {
   CHECK(all.unbounded > 0);
 }
 
-// The stage that decides a test of the unit square or cube's circumball, whose corners are scaled, and
-// one of which is moved.
+// The stage that decides a test of the circumball of a unit square or cube whose corners are
+// scaled, with one of them moved.
 Stages stage_of(double scale, double moved) {
   Stages stages;
   const Site<3> a{{0, 0, 0}}, b{{0, scale, 0}}, c{{scale, 0, 0}}, d{{0, 0, scale}};
@@ -256,7 +256,7 @@ TEST_CASE(
 }
 
 // ---- Exact ball ----
-// Several queries of one simplex are answered as one by one, by the same stages.
+// Several queries of one simplex get the same answers as single ones, by the same stages.
 
 template <std::size_t kDimension>
 void hold_queries(Tuples& tuples, Kind kind, Stages& all) {

@@ -7,8 +7,8 @@
 
 namespace circumspect::fast {
 
-// A point of the plane or of space, with its weight for weighted tests (others do not look at it).
-// Every number that a test looks at must be finite.
+// A point of the plane or of space, with its weight for weighted tests (others ignore it). Every
+// number that a test uses must be finite.
 template <std::size_t kDimension>
 struct Site {
   std::array<double, kDimension> at;
@@ -19,7 +19,7 @@ struct Site {
 template <std::size_t kDimension>
 using SiteRow = std::array<Site<kDimension>, kDimension + 1>;
 
-// How often each stage decided a sign. Whoever calls the predicates owns it: one a thread.
+// How often each stage decided a sign. The caller of the predicates owns it, one for each thread.
 struct Stages {
   std::uint64_t filtered = 0;   // by doubles: beyond the proved bound, or without rounding
   std::uint64_t narrow = 0;     // by integers of 128 bits: differences on a small grid

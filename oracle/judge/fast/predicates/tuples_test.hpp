@@ -28,7 +28,7 @@ enum class Kind {
   kDenormal,     // multiples of the least denormal
   kOverflowing,  // near the largest double, of both signs
   kSmallScales,  // around the least scale at which filters work
-  kIntegers,     // of some number of bits up to 53, as have the weights, up to 2^140
+  kIntegers,     // random bit lengths up to 53, for the weights too, up to 2^140
   kHeavy,        // small integers with weights near the largest double
   kLast = kHeavy
 };
@@ -114,7 +114,7 @@ class Tuples {
 };
 
 // ---- Reference signs ----
-// What kernel/predicates says of sites.
+// The answers of kernel/predicates for sites.
 
 using Vertices = std::vector<std::ptrdiff_t>;
 
@@ -127,11 +127,11 @@ class ReferenceSigns {
   ~ReferenceSigns();
 
   int orientation(const Vertices& simplex) const;
-  // The sign of the ball's polynomial, for a simplex and a query: in_ball times the orientation. It is
-  // antisymmetric, and so defined by another simplex of these if the first is degenerate; zero if all
-  // are.
+  // The sign of the ball's polynomial, for a simplex and a query: in_ball times the orientation. It
+  // is antisymmetric, so another simplex of these sites defines it if the first is degenerate; zero
+  // if all are.
   int ball(const Vertices& vertices) const;
-  // For a simplex and a query that is none of its vertices. Requires: not degenerate.
+  // For a simplex and a query that is not one of its vertices. Requires: not degenerate.
   int perturbed_ball(const Vertices& vertices) const;
 
  private:
