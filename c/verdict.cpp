@@ -135,6 +135,7 @@ check::Options options_of(const circumspect_options& asked) {
   }
   return {.by = asked.by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
           .oriented = asked.oriented != 0,
+          .complex = {.oriented = asked.oriented != 0 ? Orientations::kSame : Orientations::kAny},
           .max_violations = static_cast<std::size_t>(asked.max_violations),
           .threads = static_cast<unsigned>(asked.threads)};
 }
@@ -172,6 +173,12 @@ Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_
     if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
     settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
     return judged_within(asked.within, claim, mesh, *domain, options);
+  }
+  if (claim == Claim::kComplex) {
+    const std::string fault = check::fault_of_demands(mesh, options.complex);
+    if (!fault.empty()) refuse_input(fault);
+    // Otherwise equal points break a rule of this claim.
+    if (are_merged) settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
   }
   auto verdict = check::judge(claim, mesh, domain, options);
   if (verdict) return std::move(*verdict);

@@ -30,6 +30,27 @@ TEST_CASE("a mesh that holds, and its facts") {
   CHECK(circumspect_verdict_unique(check("triangulation", &mesh).verdict.get()) == -1);
 }
 
+TEST_CASE("a mesh alone: equal points break a rule, unless they are merged") {
+  const std::vector<double> points = {0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 4, 4};
+  const std::vector<std::int32_t> apart = {0, 1, 2, 3, 5, 4};
+  const circumspect_mesh mesh = mesh_of(points, apart);
+  const Checked found = check("complex", &mesh);
+  REQUIRE(found.status == CIRCUMSPECT_OK);
+  std::int64_t count = 0;
+  REQUIRE(circumspect_verdict_rule_count(found.verdict.get()) == 1);
+  CHECK(std::string(circumspect_verdict_rule(found.verdict.get(), 0, &count)) ==
+        "complex.points-equal");
+  CHECK(count == 2);
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  options.merge_equal_points = 1;
+  options.oriented = 1;
+  const Checked merged = check("complex", &mesh, nullptr, &options);
+  REQUIRE(merged.status == CIRCUMSPECT_OK);
+  CHECK(has(circumspect_verdict_text(merged.verdict.get()), "1 part 4 boundary-facets positive"));
+  const circumspect_mesh none = mesh_of(points, {});
+  CHECK(check("complex", &none).status == CIRCUMSPECT_INPUT_FAULT);
+}
+
 TEST_CASE("a mesh that fails, and its witness in numbers") {
   circumspect_mesh mesh = mesh_of(kPoints, kWrong);
   const Checked found = check("delaunay", &mesh);

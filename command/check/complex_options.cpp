@@ -14,12 +14,6 @@ Orientations orientations(const std::string& word) {
   return word == "negative" ? Orientations::kNegative : Orientations::kSame;
 }
 
-// What CLI11 calls a flag without a value is "true".
-std::string orientation_word(std::string& word) {
-  if (word == "true") word = "same";
-  return one_of_words({"same", "positive", "negative"})(word);
-}
-
 // The first option that asks something of complexes alone; empty if none does.
 std::string of_complexes_alone(const ComplexOptions& options) {
   const ComplexDemands& demands = options.demands;
@@ -40,12 +34,11 @@ std::string of_complexes_alone(const ComplexOptions& options) {
 
 void add_complex_options(CLI::App& command, ComplexOptions& options) {
   command
-      .add_flag("--oriented", options.oriented,
+      .add_flag("--oriented{same}", options.oriented,
                 "Also demand that all simplices list their vertices with the same orientation. For "
                 "the claim complex, --oriented=positive and --oriented=negative demand a sign of "
                 "det[p1-p0; ...; pd-p0]")
-      ->transform(CLI::Validator(orientation_word, ""))
-      ->type_name("SIGN")
+      ->check(one_of_words({"same", "positive", "negative"}))
       ->option_text("[=same|positive|negative]");
   ComplexDemands& demands = options.demands;
   command.add_flag("--manifold", demands.manifold,

@@ -1,4 +1,6 @@
 // The same mesh gets the same verdict in every format, against its domain in every format, and part after part.
+#include <sstream>
+
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
@@ -149,6 +151,16 @@ TEST_CASE("build writes what check reads, in every format") {
 }
 
 // A mesh that does not fit the memory in one piece: two parts for each thread.
+// The text without its lines that have these words.
+std::string without_line(const std::string& text, const std::string& words) {
+  std::string rest;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!has(line, words)) rest += line + "\n";
+  }
+  return rest;
+}
+
 TEST_CASE("check --memory says what check says, and refuses what it cannot do") {
   const ScratchFolder folder;
   auto grid = fast::grid_mesh<3>(41);
@@ -165,7 +177,8 @@ TEST_CASE("check --memory says what check says, and refuses what it cannot do") 
     const Run parts = said({"--format", format, "--memory", "64M"});
     CHECK_MESSAGE(parts.exit_code == exit_code, parts.err);
     CHECK(whole.exit_code == exit_code);
-    CHECK(parts.out == whole.out);
+    // Whether the mesh is a complex at least is tried of a whole one alone.
+    CHECK(parts.out == without_line(whole.out, "--claim complex"));
     CHECK(parts.err == whole.err);
   };
   same(0, "text");

@@ -166,6 +166,10 @@ class HelpFormatter : public CLI::FormatterBase {
         option.get_positional() ? positional_name(option) : option.get_name(false, true);
     const std::string value =
         option.get_positional() ? option.get_option_text() : value_name(option);
+    // CLI11 shows in braces what a flag means without its value.
+    if (const std::size_t brace = name.find('{'); brace != std::string::npos) {
+      return name.substr(0, brace) + value;
+    }
     return name + (value.empty() ? "" : " " + value);
   }
 

@@ -16,7 +16,9 @@ void deal_words_to_options(CLI::App& app) {
     if (option->nonpositional()) option->allow_extra_args(false);
     // --merge-coplanar reads what stands behind its = itself.
     const bool is_flag = option->get_items_expected_max() == 0 && option->get_type_name().empty();
-    if (is_flag) option->disable_flag_override();
+    // A flag that may have a value shows which (--oriented[=same|positive|negative]).
+    const bool may_have_value = !option->get_option_text().empty();
+    if (is_flag && !may_have_value) option->disable_flag_override();
   }
   for (CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
     deal_words_to_options(*one);

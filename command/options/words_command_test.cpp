@@ -112,6 +112,8 @@ TEST_CASE("an option without its value: what was expected after it") {
 TEST_CASE("a flag with a value: none was expected") {
   CHECK(said({"check", "x.ele", "--neighbors=no"}) ==
         "circumspect check: expected no value for --neighbors, found one");
+  CHECK(said({"check", "x.ele", "--oriented=no"}) ==
+        "--oriented: expected same|positive|negative, found no");
   CHECK(said({"check", "x.ele", "--quiet=3"}) ==
         "circumspect check: expected no value for --quiet, found one");
   CHECK(said({"check", "--help=check"}) ==

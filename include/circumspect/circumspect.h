@@ -175,12 +175,13 @@ typedef struct circumspect_options {
 
 typedef struct circumspect_verdict circumspect_verdict;
 
-/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", or, with
- * a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt",
+/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", "complex",
+ * or, with a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt",
  * "conforming-delaunay". Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and
  * so is a mesh without points and simplices, the usual output of a program that failed, unless it
- * is allowed. An index that names no point is the mesh's fault, and the verdict says so. `options`:
- * NULL for the defaults. *verdict is set if CIRCUMSPECT_OK is returned, else to NULL. */
+ * is allowed. An index that names no point is the mesh's fault, and the verdict says so. For
+ * "complex", equal points break a rule, and a mesh without simplices is CIRCUMSPECT_INPUT_FAULT.
+ * `options`: NULL for the defaults. *verdict is set if CIRCUMSPECT_OK is returned, else to NULL. */
 CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
                                                      const circumspect_mesh* mesh,
                                                      const circumspect_domain* domain,

@@ -41,9 +41,10 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         scipy.spatial.Delaunay, matplotlib.tri.Triangulation, meshio, pyvista, trimesh or VTK.
     simplices: (m, d+1) integers from 0, in any order; (m, k+1) where the points span a flat of dimension k. An
         index that names no point is the mesh's fault, and the verdict says so.
-    claim: "triangulation", "delaunay" (the default), "weighted-delaunay"; with a domain "plc-triangulation",
-        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has
-        the points of the domain, else "steiner-cdt").
+    claim: "triangulation", "delaunay" (the default), "weighted-delaunay", "complex" (do the cells fit together,
+        whatever they fill, be they full cells, a surface in space or edges?); with a domain "plc-triangulation",
+        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has the
+        points of the domain, else "steiner-cdt").
     neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
         judged by default.
     weights: (n,), for "weighted-delaunay".
