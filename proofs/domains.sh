@@ -39,6 +39,8 @@ while IFS=$'\t' read -r mesh domain claim verdict; do
   else
     rule=${found#"verified: not ${claim%% *}, "}
     rule=${rule%%;*}
+    # Of three simplices at a facet two are on one side of it: they overlap.
+    case ",$verdict," in *,complex.facet-overused,*) verdict+=,complex.overlap ;; esac
     expected="one of the rules $verdict"
     for one in ${rule/ or / }; do
       if [[ ",$verdict," == *",$one,"* ]]; then expected="verified: not ${claim%% *}, *"; fi

@@ -58,6 +58,17 @@ tl::expected<LoadedDomain, DomainFault> domain_for_certificate(const CertifyOpti
   return load_domain(std::move(*file), *options.domain, options.input, options.said);
 }
 
+// Empty if mesh and domain have points of one dimension. check judges a mesh of the plane against a
+// domain in a plane of space; a certificate is compared with the files as they stand.
+std::string dimension_fault(const std::string& path, const Mesh& mesh, const Domain& domain) {
+  const std::size_t expected = domain.complex.ambient_dimension();
+  if (mesh.dimension() == expected) return "";
+  return fmt::format(
+      "{}: expected points of dimension {}, as the domain has them, found dimension {}: "
+      "circumspect-verified compares the certificate with the files as they stand",
+      path, expected, mesh.dimension());
+}
+
 void certify(const CertifyOptions& options, Output& output) {
   const unsigned threads = thread_count(options.threads);
   std::optional<LoadedDomain> domain;
@@ -81,8 +92,8 @@ void certify(const CertifyOptions& options, Output& output) {
   }
   const Domain* about = domain ? &domain->domain : nullptr;
   // The claim may depend on which points there are.
-  const std::string fault =
-      domain ? settle_equal_points(*loaded, options.input.duplicates) : std::string();
+  std::string fault = about ? dimension_fault(options.mesh, loaded->mesh, *about) : std::string();
+  if (domain && fault.empty()) fault = settle_equal_points(*loaded, options.input.duplicates);
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
     return;

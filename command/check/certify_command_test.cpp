@@ -327,5 +327,18 @@ TEST_CASE("check --certificate: what it does not go with") {
   CHECK(!meshes.has_cert());
 }
 
+TEST_CASE("certify: a mesh of the plane and a domain in a plane of space are refused") {
+  const ScratchFolder folder;
+  const std::string domain =
+      folder.write("d.poly", "3 3\n1 0 0 5\n2 3 0 5\n3 0 2 5\n1 0\n1\n3 1 2 3\n0\n");
+  folder.write("m.node", "3 2\n1 0 0\n2 3 0\n3 0 2\n");
+  const std::string mesh = folder.write("m.ele", "1 3\n1 1 2 3\n");
+  CHECK(run({"check", mesh, "--domain", domain}).exit_code == 0);
+  const Run refused = run({"certify", mesh, "--domain", domain, "-o", folder.path("c")});
+  CHECK(refused.exit_code == 3);
+  CHECK(has(refused.err, mesh + ": expected points of dimension 3, as the domain has them, found "
+                                "dimension 2"));
+}
+
 }  // namespace
 }  // namespace circumspect::cli

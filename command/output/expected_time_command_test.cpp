@@ -27,10 +27,11 @@ struct InManyDimensions {
     std::string elements = "800 17 0\n";
     for (int i = 0; i < simplex_count; ++i) {
       elements += std::to_string(i);
-      const unsigned first = next() % point_count;
+      // No two of them are the same: that would be all that is said of them.
+      const unsigned first = static_cast<unsigned>(i) % point_count;
+      const unsigned step = 1 + static_cast<unsigned>(i) / point_count;
       for (unsigned k = 0; k <= dimension; ++k) {
-        elements +=
-            " " + std::to_string((first + k * (1 + static_cast<unsigned>(i) % 11)) % point_count);
+        elements += " " + std::to_string((first + k * step) % point_count);
       }
       elements += "\n";
     }
