@@ -1,4 +1,4 @@
-// Sees at once that a mesh of doubles is a complex, where it is.
+// A fast way to see that a mesh of doubles is a complex.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace circumspect::check {
 
-// The verdict of judge_complex on a mesh that holds, if that is known in a time that grows with the mesh and no faster. The
-// fast engine finds the boundary; what docs/theory/complex.md asks of that is asked exactly.
+// The verdict of judge_complex on a mesh that holds, if linear time suffices to see it; else
+// nothing, and judge_complex decides. The fast engine finds the boundary, and exact predicates
+// decide what docs/theory/complex.md asks of it.
 // Instances: as of fast::simplex_facts.
 template <std::size_t kDimension, typename Index>
 std::optional<Verdict> held_complex(const fast::MeshView<kDimension, Index>& mesh,
