@@ -15,7 +15,7 @@ import sys
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages", "rule"])]
 COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
-           "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
+           "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge", "oracle/judge/cause",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "kernel/exact": [],
@@ -43,6 +43,7 @@ ARROWS = {
     "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes"],
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/distributed": ["oracle/judge", "oracle/report"],
+    "oracle/judge/cause": ["oracle/judge", "oracle/report"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
     "oracle/certificate": ["oracle/judge/domain"],
     "oracle/picture": ["oracle/report"],
@@ -50,7 +51,7 @@ ARROWS = {
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "inputs"],
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
-    "c": ["reference/constrained", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
+    "c": ["reference/constrained", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
           "inputs/triangulated"],
     "python": ["c", "fuzz/harness"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
