@@ -55,6 +55,14 @@ circumspect_add_archive(circumspect_check_archive check circumspect-check
 set(harness_layers)
 circumspect_layers_behind(circumspect_harness harness_layers)
 list(REMOVE_ITEM harness_layers ${check_layers})
+# What judges must not call what builds: no layer of the book is linked, by however many steps.
+foreach(layer IN LISTS check_layers harness_layers)
+  get_target_property(folder ${layer} CIRCUMSPECT_FOLDER)
+  if(folder MATCHES "^reference(/|$)")
+    message(FATAL_ERROR "expected judges and harness without the book, found that they link ${layer} (${folder}): "
+                        "see DEPENDS of their layers in CMakeLists.txt")
+  endif()
+endforeach()
 circumspect_add_archive(circumspect_archive harness circumspect-harness
   LAYERS ${harness_layers}
   LINKS circumspect_check_archive)

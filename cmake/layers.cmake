@@ -53,7 +53,7 @@ function(circumspect_layer name folder)
     list(APPEND archives circumspect_${name})
   endif()
   list(REMOVE_DUPLICATES archives)
-  set_target_properties(circumspect_${name} PROPERTIES CIRCUMSPECT_ARCHIVES "${archives}")
+  set_target_properties(circumspect_${name} PROPERTIES CIRCUMSPECT_ARCHIVES "${archives}" CIRCUMSPECT_FOLDER "${folder}")
   target_link_libraries(circumspect_${name} ${visibility}
                         circumspect_settings ${ARG_DEPENDS} ${ARG_LINKS})
 

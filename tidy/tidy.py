@@ -14,7 +14,7 @@ import sys
 # `circumspect_layer(...)` in CMakeLists.txt say the same to the linker.
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages", "rule"])]
-COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
+COMMAND = ["reference", "reference/optimality", "reference/constrained", "reference/existence",
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
@@ -27,6 +27,7 @@ ARROWS = {
     "reference/optimality": ["reference/delaunay"],
     "reference/constrained": ["reference/delaunay", "kernel/piecewise_linear"],
     "reference/existence": ["kernel/piecewise_linear"],
+    "reference": ["reference/constrained"],
     "include/circumspect": [],
     "inputs": ["kernel/piecewise_linear", "include/circumspect"],
     "inputs/triangulated": ["reference/delaunay", "inputs"],
@@ -50,7 +51,7 @@ ARROWS = {
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "inputs"],
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
-    "c": ["reference/constrained", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
+    "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
           "inputs/triangulated"],
     "python": ["c", "fuzz/harness"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
@@ -71,6 +72,10 @@ ARROWS = {
                "properties/arguments", "properties/mutations", "corpus"],
     "bench": ["reference/constrained", "oracle/report", "fuzz/harness"],
 }
+# The one header by which these folders may ask the book for a construction, so that none of them depends on an
+# algorithm of it: what shows a mesh to be wrong must not be what built it.
+CONSTRUCTIONS = "reference/constructions.hpp"
+BY_CONSTRUCTIONS = ["oracle", "c", "python", "include", "fuzz/harness"]
 # What a test beside its layer may include on top of what the layer may.
 TESTS_ALSO = ["inputs", "properties/arguments"]
 
@@ -236,6 +241,9 @@ class Tidy:
         if quote == '"' and top not in {folder.split("/")[0] for folder in ARROWS}:
             self.fault(path, number, "include",
                        f"write the path of \"{target}\" from the root of the repository, or <...>")
+        elif target.startswith("reference/") and inside(path, BY_CONSTRUCTIONS) and target != CONSTRUCTIONS:
+            self.fault(path, number, "constructions",
+                       f"include {CONSTRUCTIONS}, which names what others may ask of the book")
         elif layer in ARROWS:
             folder = path.rpartition("/")[0]
             allowed = visible_from(folder)

@@ -24,9 +24,18 @@ def faults(path, text):
 
 class Arrows(unittest.TestCase):
     def test_a_checker_must_not_see_a_construction(self):
-        self.assertEqual(faults("oracle/judge/points/a.cpp", '\n#include "reference/delaunay/b.hpp"\n'),
-                         ["oracle/judge/points/a.cpp:2: arrow: oracle/judge/points must not see "
+        self.assertEqual(faults("kernel/complex/a.cpp", '\n#include "reference/delaunay/b.hpp"\n'),
+                         ["kernel/complex/a.cpp:2: arrow: kernel/complex must not see "
                           "reference/delaunay; move what it needs to a layer that both see"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "reference/constructions.hpp"\n'), ["arrow"])
+
+    def test_others_ask_the_book_by_one_header(self):
+        for folder in ["oracle/judge/points", "c", "python", "include/circumspect", "fuzz/harness"]:
+            for header in ["reference/delaunay/b.hpp", "reference/constrained/b.hpp", "reference/b.hpp"]:
+                for name in ["a.cpp", "a_test.cpp"]:
+                    self.assertEqual(rules(f"{folder}/{name}", f'#include "{header}"\n'), ["constructions"])
+        self.assertEqual(rules("c/a.cpp", '#include "reference/constructions.hpp"\n'), [])
+        self.assertEqual(rules("command/build/a.cpp", '#include "reference/delaunay/b.hpp"\n'), [])
 
     def test_the_reference_must_not_see_the_oracle(self):
         for folder in tidy.ARROWS:
@@ -35,7 +44,7 @@ class Arrows(unittest.TestCase):
                     self.assertEqual(rules(f"{folder}/a.hpp", f'#include "{header}"\n'), ["arrow"])
 
     def test_angle_brackets_do_not_hide_an_arrow(self):
-        self.assertEqual(rules("oracle/judge/points/a.cpp", "#include <reference/delaunay/b.hpp>\n"), ["arrow"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "#include <reference/delaunay/b.hpp>\n"), ["constructions"])
 
     def test_an_arrow_leads_through_the_layers_between(self):
         self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "kernel/exact/number.hpp"\n'), [])

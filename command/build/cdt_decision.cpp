@@ -82,7 +82,7 @@ CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits
                        bool insert, const std::string& name, Output& output) {
   CdtDecision decision;
   const std::size_t vertices = complex.points.size();
-  if (insert && vertices > kFewVertices) {
+  if (insert && vertices > reference::kFewVertices) {
     output.begin("inserting the polygons of " + name);
     auto inserted = constrained::cdt_by_polygon_insertion(
         complex, {constrained::PolygonInsertion::kFlips, {}, output.progress()});

@@ -10,6 +10,7 @@
 
 #include "command/output/output.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constructions.hpp"
 #include "reference/existence/existence.hpp"
 
 namespace circumspect::cli {
@@ -18,10 +19,6 @@ namespace circumspect::cli {
 // cospherical vertices may still allow another.
 enum class CdtAnswer { kCanonical, kAnother, kNone, kUnknown };
 std::string_view word(CdtAnswer answer);
-
-// In domains of more vertices the polygons are inserted, which is fast and finds most canonical CDTs;
-// gift-wrapping, which finds all, takes time in proportion to the square of the vertices and more.
-constexpr std::size_t kFewVertices = 200;
 
 struct SearchLimits {
   std::size_t vertices = 60;
@@ -40,7 +37,7 @@ struct CdtDecision {
 };
 
 // Gift-wrapping decides about the canonical one, if the insertion of polygons has not found it before
-// (`insert`: in domains of more than kFewVertices vertices that is tried first); then a search that is
+// (`insert`: in domains of more than reference::kFewVertices vertices that is tried first); then a search that is
 // exponential at worst, and so has limits, about any. `name` is that of the domain, for whoever waits.
 // Requires: the complex is in space, and valid.
 CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits& limits,

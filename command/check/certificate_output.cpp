@@ -15,7 +15,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/constructions.hpp"
 #include "reference/existence/existence.hpp"
 
 namespace circumspect::cli {
@@ -85,7 +85,7 @@ std::optional<std::vector<Simplex>> fill(const PointSet& points,
 }
 
 std::vector<Simplex> delaunay_simplices(const PointSet& points) {
-  return delaunay::bowyer_watson(points).simplices();
+  return reference::canonical_delaunay(points).simplices();
 }
 
 // The canonical triangulation, if it has the simplices; where points are cospherical, what fills the hull

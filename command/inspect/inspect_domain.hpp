@@ -22,7 +22,7 @@ struct DomainInspection {
   DomainOptions said = {};
   bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
   std::size_t max_errors = kBreachLimit;  // how many breaches are reported; 0: all
-  SearchLimits limits = {.wrapped_vertices = kFewVertices};
+  SearchLimits limits = {.wrapped_vertices = reference::kFewVertices};
   bool decide = false;           // is an open question a failure?
   std::string refutations = {};  // where proofs go that there is no triangulation; empty: nowhere
 };
