@@ -6,6 +6,7 @@
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/arguments/run.hpp"
 

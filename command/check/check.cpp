@@ -1,6 +1,4 @@
 // circumspect check MESH…
-#include "oracle/judge/points/check.hpp"
-
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -25,6 +23,7 @@
 #include "command/output/overwriting.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -179,7 +178,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
-    const KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
+    const check::KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
     auto judged = judged_within(*options.within, claim, known, domain.domain, options.check,
                                 against.bent ? &*against.bent : nullptr,
                                 {loaded->face_markers, against.polygon_markers()});

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/options.hpp"
 
 namespace CLI {
 class App;

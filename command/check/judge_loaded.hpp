@@ -21,7 +21,7 @@ inline tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& 
                                                        const check::Options& options,
                                                        const Domain* domain = nullptr) {
   if (duplicates == Duplicates::kMerge) {
-    return check::judge_merged(claim, loaded.mesh, domain, options);
+    return check::judge(claim, check::Merging{loaded.mesh}, domain, options);
   }
   auto verdict = check::judge(claim, loaded.mesh, domain, options);
   if (verdict) return std::move(*verdict);

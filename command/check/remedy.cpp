@@ -6,6 +6,8 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"
@@ -58,16 +60,10 @@ constexpr std::size_t kMostTriedAsComplex = 50'000;
 
 }  // namespace
 
-KnownMesh::KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options)
-    : exact(circumspect::exact(mesh)),
-      facts(check::facts_of_simplices(claim, mesh, kind, options)) {}
-
-tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const KnownMesh& mesh, const Domain& domain,
-                                                      const check::Options& options,
-                                                      const BentDomain* bent,
-                                                      const check::Markers& markers,
-                                                      check::Work* work) {
+tl::expected<Verdict, check::NotJudged> judged_within(
+    const Distance& distance, Claim claim, const check::KnownMesh& mesh, const Domain& domain,
+    const check::Options& options, const BentDomain* bent, const check::Markers& markers,
+    check::Work* work) {
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
   const auto judged = [&] {
@@ -259,7 +255,7 @@ class Remedies {
   const Verdict& verdict_;
   const Judged& judged_;
   const check::Options& options_;
-  KnownMesh mesh_;
+  check::KnownMesh mesh_;
   bool is_unsettled_ = false;           // was a search given up?
   std::optional<LoadedDomain> joined_;  // if that is not the domain itself
   std::optional<std::string> note_;

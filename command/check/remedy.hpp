@@ -9,31 +9,19 @@
 
 #include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
-#include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::cli {
 
-// A mesh in exact numbers, and what the fast engine finds out of it: the same for every domain of one kind.
-struct KnownMesh {
-  KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options);
-
-  ExactMesh exact;
-  std::optional<fast::SimplexFacts> facts;
-
-  const fast::SimplexFacts* known() const { return facts ? &*facts : nullptr; }
-};
-
 // The verdict for the domain with its cells moved by no more than `distance`. `bent`: the domain with polygons joined
 // that are not flat, if it is that one. `markers`: of the mesh and of the domain that is judged. `work`: see judge_within. Requires: no
 // equal points.
-tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const KnownMesh& mesh, const Domain& domain,
-                                                      const check::Options& options,
-                                                      const BentDomain* bent = nullptr,
-                                                      const check::Markers& markers = {},
-                                                      check::Work* work = nullptr);
+tl::expected<Verdict, check::NotJudged> judged_within(
+    const Distance& distance, Claim claim, const check::KnownMesh& mesh, const Domain& domain,
+    const check::Options& options, const BentDomain* bent = nullptr,
+    const check::Markers& markers = {}, check::Work* work = nullptr);
 
 // What may have been meant where no domain was given: that triangles in space are a surface, which is a domain, and that
 // what is not convex is a mesh of one.

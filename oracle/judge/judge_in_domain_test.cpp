@@ -5,6 +5,7 @@
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
