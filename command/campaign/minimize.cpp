@@ -11,6 +11,7 @@
 #include "command/campaign/campaign_options.hpp"
 #include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_report.hpp"
+#include "command/campaign/subject.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"

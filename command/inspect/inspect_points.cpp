@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "command/inspect/inspect_simplex.hpp"
+#include "command/inspect/simplex_counts.hpp"
 #include "command/output/expected_time.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/number.hpp"

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "command/options/one_of.hpp"
-#include "command/options/whole_number.hpp"
+#include "command/options/quantity.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 
@@ -105,18 +105,10 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 }
 
 void add_limit_option(CLI::App& command, OutputOptions& options) {
-  command
-      .add_option_function<std::string>(
-          "--limit",
-          [&options](const std::string& text) {
-            double seconds = 0;
-            const std::string fault = read_duration(text, seconds);
-            if (!fault.empty()) throw CLI::ValidationError("--limit", fault);
-            options.limit = seconds;
-          },
-          "Stop after TIME, such as 90s, 15m or 1h, print what is known by then, and end with "
-          "exit code 4 (default: never)")
-      ->option_text("TIME");
+  add_options(command,
+              {{"--limit", "TIME", duration(options.limit),
+                "Stop after TIME, such as 90s, 15m or 1h, print what is known by then, and end "
+                "with exit code 4 (default: never)"}});
 }
 
 void Output::watch(const std::string& command) {

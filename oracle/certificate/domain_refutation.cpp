@@ -358,6 +358,63 @@ tl::expected<WholeDomain, std::string> whole_domain(
   return made;
 }
 
+tl::unexpected<std::string> none_because(std::string_view reason) {
+  return tl::unexpected(fmt::format("there is no refutation of this mesh: {}", reason));
+}
+
+// The points of the mesh and those vertices of the domain that are none of them, over one scale: which point each vertex is.
+struct PointsOfBoth {
+  ScaledPoints points;
+  std::vector<Vertex> vertices;
+};
+
+tl::expected<PointsOfBoth, std::string> points_of_both(const PointSet& of_mesh,
+                                                       const PointSet& of_domain) {
+  std::vector<Point> all = of_mesh.points();
+  std::map<Point, Vertex> place_of;
+  for (std::size_t i = 0; i < all.size(); ++i) place_of.emplace(all[i], static_cast<Vertex>(i));
+  std::vector<Vertex> vertices;
+  for (const Point& vertex : of_domain.points()) {
+    const auto [place, is_new] = place_of.emplace(vertex, static_cast<Vertex>(all.size()));
+    if (is_new) all.push_back(vertex);
+    vertices.push_back(place->second);
+  }
+  auto points = scaled_to_integers(PointSet(std::move(all)));
+  if (!points) return tl::unexpected(points.error());
+  return PointsOfBoth{std::move(*points), std::move(vertices)};
+}
+
+// Finds evidence, and puts it into `made`. What comes back is the point that must be in no simplex, if there is one.
+// `all` are the simplices of the mesh, then what dangles.
+tl::expected<std::optional<HomogeneousPoint>, std::string> add_evidence(
+    const ExactMesh& mesh, const ExactMesh& all, const Domain& domain, const ListedSegments& listed,
+    const Verdict& verdict, const HullFillers& fillers, DomainRefutation& made) {
+  if (auto evidence = evidence_in(mesh, all, domain, verdict, made.points, made.vertices)) {
+    made.refutation.rule = evidence->rule;
+    made.refutation.because = std::move(evidence->because);
+    if (evidence->rule != Rule::kSegmentMissing) return std::nullopt;
+    const std::vector<Integer>& because = made.refutation.because;
+    return HomogeneousPoint{{because.begin() + 1, because.end() - 1}, because.back()};
+  }
+  auto of_whole = whole_evidence(all, domain, listed, verdict, made.points, made.vertices, fillers);
+  if (!of_whole) {
+    return none_because(
+        fmt::format("{} is broken, and no evidence was found that circumspect-verified reads",
+                    identifier(verdict.tallies().begin()->first)));
+  }
+  made.refutation.rule = of_whole->rule;
+  std::optional<HomogeneousPoint> seen = of_whole->seen;
+  if (of_whole->elsewhere) {
+    made.whole = WholeDomain{.kind = domain.complex.kind, .evidence = std::move(*of_whole)};
+    return seen;
+  }
+  auto whole = whole_domain(domain.complex, listed, made.points, made.vertices,
+                            std::move(*of_whole), fillers);
+  if (!whole) return tl::unexpected(whole.error());
+  made.whole = std::move(*whole);
+  return seen;
+}
+
 }  // namespace
 
 tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
@@ -365,69 +422,27 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
                                                                  const ListedSegments& listed,
                                                                  const Verdict& verdict,
                                                                  const HullFillers& fillers) {
-  ExactMesh listed_simplices = mesh;  // and what dangles
+  ExactMesh all = mesh;  // and what dangles
   const std::vector<Simplex> dangling = dangling_faces(mesh);
   for (const Simplex& face : dangling) {
     if (!std::all_of(face.begin(), face.end(), [&](Vertex v) { return mesh.points.names(v); })) {
-      return tl::unexpected(std::string(
-          "there is no refutation of this mesh: a dangling triangle or edge names no point"));
+      return none_because("a dangling triangle or edge names no point");
     }
-    listed_simplices.simplices.push_back(face);
+    all.simplices.push_back(face);
   }
-  // Each point once: most vertices of the domain are points of the mesh.
-  std::vector<Point> all = mesh.points.points();
-  std::map<Point, Vertex> place_of;
-  for (std::size_t i = 0; i < all.size(); ++i) place_of.emplace(all[i], static_cast<Vertex>(i));
-  std::vector<Vertex> vertices;
-  for (const Point& vertex : domain.complex.points.points()) {
-    const auto [place, is_new] = place_of.emplace(vertex, static_cast<Vertex>(all.size()));
-    if (is_new) all.push_back(vertex);
-    vertices.push_back(place->second);
-  }
-  auto points = scaled_to_integers(PointSet(std::move(all)));
-  if (!points) return tl::unexpected(points.error());
+  auto both = points_of_both(mesh.points, domain.complex.points);
+  if (!both) return tl::unexpected(both.error());
   const std::vector<std::size_t>& basis = mesh.points.configuration().hull().basis;
-  if (basis.size() != points->dimension + 1) {
-    return tl::unexpected(std::string(
-        "there is no refutation of this mesh: its points do not span the plane or space"));
+  if (basis.size() != both->points.dimension + 1) {
+    return none_because("its points do not span the plane or space");
   }
-  DomainRefutation made{Refutation{verdict.claim(), {}, {}, basis}, std::move(*points),
-                        std::move(vertices), domain.complex.segments};
-  std::optional<HomogeneousPoint> seen;  // the point that must be in no simplex
-  if (auto evidence =
-          evidence_in(mesh, listed_simplices, domain, verdict, made.points, made.vertices)) {
-    made.refutation.rule = evidence->rule;
-    made.refutation.because = std::move(evidence->because);
-    if (evidence->rule == Rule::kSegmentMissing) {
-      const std::vector<Integer>& because = made.refutation.because;
-      seen = HomogeneousPoint{{because.begin() + 1, because.end() - 1}, because.back()};
-    }
-  } else {
-    auto of_whole = whole_evidence(listed_simplices, domain, listed, verdict, made.points,
-                                   made.vertices, fillers);
-    if (!of_whole) {
-      return tl::unexpected(fmt::format(
-          "there is no refutation of this mesh: {} is broken, and no evidence was found that "
-          "circumspect-verified reads",
-          identifier(verdict.tallies().begin()->first)));
-    }
-    made.refutation.rule = of_whole->rule;
-    seen = of_whole->seen;
-    if (of_whole->elsewhere) {
-      made.whole = WholeDomain{.kind = domain.complex.kind, .evidence = std::move(*of_whole)};
-    } else {
-      auto whole = whole_domain(domain.complex, listed, made.points, made.vertices,
-                                std::move(*of_whole), fillers);
-      if (!whole) return tl::unexpected(whole.error());
-      made.whole = std::move(*whole);
-    }
-  }
+  DomainRefutation made{Refutation{verdict.claim(), {}, {}, basis}, std::move(both->points),
+                        std::move(both->vertices), domain.complex.segments};
+  const auto seen = add_evidence(mesh, all, domain, listed, verdict, fillers, made);
+  if (!seen) return tl::unexpected(seen.error());
   for (const Simplex& face : dangling) {
-    auto pads = pads_of(face, made.points, seen);
-    if (!pads) {
-      return tl::unexpected(std::string(
-          "there is no refutation of this mesh: a dangling triangle or edge is degenerate"));
-    }
+    auto pads = pads_of(face, made.points, *seen);
+    if (!pads) return none_because("a dangling triangle or edge is degenerate");
     made.dangling.push_back({face, std::move(*pads)});
   }
   return made;
