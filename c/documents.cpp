@@ -3,7 +3,6 @@
 #include <new>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <circumspect/circumspect.h>

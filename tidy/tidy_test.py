@@ -119,6 +119,40 @@ class Style(unittest.TestCase):
         self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 450), [])
         self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 451), ["length"])
 
+    def test_a_function_fits_a_screen(self):
+        def function(lines, row="  f();\n", head="int f(int a) {"):
+            return f"{head}\n{row * (lines - 2)}}}\n"
+        self.assertEqual(rules("kernel/exact/a.cpp", function(60)), [])
+        self.assertEqual(faults("kernel/exact/a.cpp", "\n" + function(61)),
+                         ["kernel/exact/a.cpp:2: function: 61 lines are more than a screen; cut the function "
+                          "where an idea ends (at most 60 lines)"])
+        for head in ["template <class T>\nvoid f(T (*g)()) {", 'TEST_CASE("a {") {', "A::A(int b) : c(b) {",
+                     "struct B {\n  void f() const {"]:
+            self.assertEqual(rules("kernel/exact/a_test.cpp", function(62, head=head)), ["function"], head)
+        for text in [function(80, head="struct B {", row="  void f();\n"), function(80, head='extern "C" {'),
+                     function(80, row="  // a {\n", head="namespace a {")]:
+            self.assertEqual(rules("kernel/exact/a.cpp", text), [], text)
+        self.assertEqual(rules("oracle/judge/points/a.cpp", function(61)), [])
+
+    def test_a_table_is_read_row_by_row(self):
+        rows = '      {"a;", "b", {1, 2}, [] { return 1; }},\n' * 80
+        self.assertEqual(rules("kernel/exact/a.cpp", f"T f() {{\n  return {{\n{rows}  }};\n}}\n"), [])
+        self.assertEqual(rules("kernel/exact/a.cpp", f"T f() {{\n  g();\n  return {{\n{rows}  }};\n}}\n"), ["function"])
+
+    def test_no_banner_replaces_a_file(self):
+        for path, line in [("kernel/exact/a.cpp", "// ---- Points ----"), ("kernel/exact/a.hpp", "  // --- Points ---"),
+                           ("python/a.py", "# ---- points ----"), ("cmake/a.cmake", "# ---- points ----")]:
+            self.assertEqual(rules(path, line + "\n"), ["banner"], line)
+        for line in ["// a -- b", "// --points and --mesh", "// ----", "int a = b--- --c;"]:
+            self.assertEqual(rules("kernel/exact/a.cpp", line + "\n"), [], line)
+        self.assertEqual(rules("oracle/formats/a.cpp", "// ---- Points ----\n"), [])
+
+    def test_comments_end_at_a_hundred_columns(self):
+        self.assertEqual(rules("kernel/exact/a.cpp", "// " + "é" * 97 + "\n"), [])
+        self.assertEqual(rules("kernel/exact/a.cpp", "  // " + "a" * 96 + "\n"), ["comment"])
+        self.assertEqual(rules("cmake/a.sh", "# " + "a" * 99 + "\n"), ["comment"])
+        self.assertEqual(rules("cmake/a.sh", "echo " + "a" * 99 + "\n"), [])
+
     def test_a_name_says_what_the_file_is_about(self):
         for name in ["util.hpp", "point_utils.cpp", "test_helpers.hpp", "mesh_manager.hpp",
                      "common.hpp", "misc.py"]:

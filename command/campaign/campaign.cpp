@@ -13,7 +13,6 @@
 #include "command/campaign/campaign_report.hpp"
 #include "command/campaign/subject.hpp"
 #include "command/output/output.hpp"
-#include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/report/text.hpp"
 

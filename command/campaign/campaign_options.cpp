@@ -1,7 +1,5 @@
 #include "command/campaign/campaign_options.hpp"
 
-#include <map>
-
 #include <CLI/CLI.hpp>
 
 #include "command/options/one_of.hpp"

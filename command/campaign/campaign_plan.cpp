@@ -128,6 +128,65 @@ std::string read_exponents(const std::string& text, generators::Exponents& expon
                      kLeast, kLargest, text);
 }
 
+std::vector<OptionRow> rows_of(CampaignOptions& options) {
+  return {
+      {"--seed", "N", into(options.seed, whole_number()),
+       "The seed of all inputs: the same seed draws the same inputs (default: 0)"},
+      {"--time", "TIME", duration(options.seconds),
+       "Stop after TIME, of which up to a quarter goes into minimizing findings. The campaign "
+       "waits for programs that still run (default: 60s; with --cases, until all are done)"},
+      {"--cases", "N", into(options.cases, whole_number()),
+       "Draw N inputs, in all runs of this campaign together"},
+      {"--families", "NAME,...", listed(options.families),
+       "The families to draw from, with commas between them (default: all families; 'all': all "
+       "families with all modifiers). circumspect generate --list names them. Modifiers can be "
+       "combined, as in grid+moved+ulp"},
+      {"--max-points", "N", into(options.sizes.max_points, whole_number(1, 1'000'000)),
+       "The largest number of points of an input (default: 20; in dimensions up to 3, a few per "
+       "cent of the point sets have 64 to 2000)"},
+      {"--exclude", "NAME,...", listed(options.excluded),
+       "Families to leave out with all their modifiers, with commas between them"},
+      {"--exponents", "LOW:HIGH",
+       read_by([&place = options.sizes.exponents](const std::string& text) {
+         return read_exponents(text, place);
+       }),
+       "Coordinates other than 0 lie between 2^LOW and 2^HIGH in absolute value (default: "
+       "-100:100). Write it with =, as in --exponents=-20:20"},
+      {"--extreme", "", flag(options.sizes.extreme),
+       "Draw coordinates as large and as small as the families have them: up to 2^990, down to "
+       "2^-1000 and to denormal numbers. The signature of a finding that needs such numbers ends "
+       "in -extreme",
+       "--exponents"},
+      {"--integers", "BITS", into(options.sizes.integers, whole_number(1, 53)),
+       "Draw coordinates and weights that are integers, and coordinates of at most BITS bits"},
+      {"--known", "FILE", into(options.known),
+       "A file with a signature on each line. Cases with these signatures are counted, but are "
+       "not findings. A # begins a comment"},
+      {"--corpus", "FOLDER", into(options.corpus),
+       "First try all inputs in the files of this folder"},
+      {"--go-on", "", flag(options.goes_on),
+       "Go on where the program fails on each of the first ten inputs. Without it, the campaign "
+       "then asks whether the command is right, keeps nothing and ends with exit code 3"},
+      {"--jobs", "N", into(options.jobs, whole_number(1, 256)),
+       "Run N programs at a time (default: one for each processor)"},
+      {"--output", "FOLDER", into(options.folder),
+       "The folder of the journal. Findings go to FOLDER/findings, or to FOLDER itself if its "
+       "name is findings (default: campaign)"},
+      {"--about", "TEXT", into(options.subject.about),
+       "The version of the program and how it was built, for issue.md of each finding; such as "
+       "--about \"$(my_program --version), built by make\""},
+      {"--promise", "TEXT", into(options.subject.promise),
+       "A promise from the program's documents, quoted and with its address, for issue.md of "
+       "each finding"},
+      {"--junit", "FILE", into(options.junit), "Also write a report for CI"},
+      {"--sarif", "FILE", into(options.sarif), "Also write a report for code scanning (SARIF)"},
+      {"--annotations", "", flag(options.annotates),
+       "Also print a line for each finding that GitHub Actions shows as an error"},
+      {"--html", "FILE", into(options.html),
+       "Also write a page that shows each finding as a picture; it opens in any browser, without "
+       "a network"}};
+}
+
 }  // namespace
 
 tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
@@ -177,63 +236,7 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
 
 void add_campaign_options(CLI::App& command, CampaignOptions& options) {
   add_subject_options(command, options.subject);
-  const auto read_exponents_into = [&place = options.sizes.exponents](const std::string& text) {
-    return read_exponents(text, place);
-  };
-  add_options(
-      command,
-      {{"--seed", "N", into(options.seed, whole_number()),
-        "The seed of all inputs: the same seed draws the same inputs (default: 0)"},
-       {"--time", "TIME", duration(options.seconds),
-        "Stop after TIME, of which up to a quarter goes into minimizing findings. The campaign "
-        "waits for programs that still run (default: 60s; with --cases, until all are done)"},
-       {"--cases", "N", into(options.cases, whole_number()),
-        "Draw N inputs, in all runs of this campaign together"},
-       {"--families", "NAME,...", listed(options.families),
-        "The families to draw from, with commas between them (default: all families; 'all': all "
-        "families with all modifiers). circumspect generate --list names them. Modifiers can be "
-        "combined, as in grid+moved+ulp"},
-       {"--max-points", "N", into(options.sizes.max_points, whole_number(1, 1'000'000)),
-        "The largest number of points of an input (default: 20; in dimensions up to 3, a few per "
-        "cent of the point sets have 64 to 2000)"},
-       {"--exclude", "NAME,...", listed(options.excluded),
-        "Families to leave out with all their modifiers, with commas between them"},
-       {"--exponents", "LOW:HIGH", read_by(read_exponents_into),
-        "Coordinates other than 0 lie between 2^LOW and 2^HIGH in absolute value (default: "
-        "-100:100). Write it with =, as in --exponents=-20:20"},
-       {"--extreme", "", flag(options.sizes.extreme),
-        "Draw coordinates as large and as small as the families have them: up to 2^990, down to "
-        "2^-1000 and to denormal numbers. The signature of a finding that needs such numbers ends "
-        "in -extreme",
-        "--exponents"},
-       {"--integers", "BITS", into(options.sizes.integers, whole_number(1, 53)),
-        "Draw coordinates and weights that are integers, and coordinates of at most BITS bits"},
-       {"--known", "FILE", into(options.known),
-        "A file with a signature on each line. Cases with these signatures are counted, but are "
-        "not findings. A # begins a comment"},
-       {"--corpus", "FOLDER", into(options.corpus),
-        "First try all inputs in the files of this folder"},
-       {"--go-on", "", flag(options.goes_on),
-        "Go on where the program fails on each of the first ten inputs. Without it, the campaign "
-        "then asks whether the command is right, keeps nothing and ends with exit code 3"},
-       {"--jobs", "N", into(options.jobs, whole_number(1, 256)),
-        "Run N programs at a time (default: one for each processor)"},
-       {"--output", "FOLDER", into(options.folder),
-        "The folder of the journal. Findings go to FOLDER/findings, or to FOLDER itself if its "
-        "name is findings (default: campaign)"},
-       {"--about", "TEXT", into(options.subject.about),
-        "The version of the program and how it was built, for issue.md of each finding; such as "
-        "--about \"$(my_program --version), built by make\""},
-       {"--promise", "TEXT", into(options.subject.promise),
-        "A promise from the program's documents, quoted and with its address, for issue.md of "
-        "each finding"},
-       {"--junit", "FILE", into(options.junit), "Also write a report for CI"},
-       {"--sarif", "FILE", into(options.sarif), "Also write a report for code scanning (SARIF)"},
-       {"--annotations", "", flag(options.annotates),
-        "Also print a line for each finding that GitHub Actions shows as an error"},
-       {"--html", "FILE", into(options.html),
-        "Also write a page that shows each finding as a picture; it opens in any browser, without "
-        "a network"}});
+  add_options(command, rows_of(options));
   add_output_options(command, options.output);
 }
 

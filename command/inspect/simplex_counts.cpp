@@ -1,7 +1,5 @@
 #include "command/inspect/simplex_counts.hpp"
 
-#include <algorithm>
-
 #include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::cli {
