@@ -2,8 +2,8 @@
 #   circumspect::check    judges arrays: <circumspect/judgement.hpp>, <circumspect/check.hpp>
 #   circumspect::harness  that, and what draws inputs: all of <circumspect/...> for C++
 #   circumspect::c        <circumspect/circumspect.h>, a shared library with C symbols alone
-# The first two are one archive of layers each. What they ask of their users are the headers, C++20 and the libraries
-# behind them; the flags with which the layers are compiled are nobody else's.
+# The first two are one archive of layers each. What they ask of their users are the headers, C++20
+# and the libraries behind them; the flags with which the layers are compiled are nobody else's.
 
 include(GNUInstallDirs)
 
@@ -67,7 +67,8 @@ circumspect_add_archive(circumspect_archive harness circumspect-harness
   LAYERS ${harness_layers}
   LINKS circumspect_check_archive)
 
-# circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file MAP names.
+# circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file
+# MAP names.
 function(circumspect_show_only target map)
   target_link_options(${target} PRIVATE "LINKER:--version-script=${map}")
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${map}")

@@ -104,8 +104,8 @@ struct Wedges {
   std::vector<Wedge> below, above;
 };
 
-// Adds their points. The sides of a wedge are planes through its sharp edge: at a height h from the edge they are
-// h / steepness away from it.
+// Adds their points. The sides of a wedge are planes through its sharp edge: at a height h from the
+// edge they are h / steepness away from it.
 Wedges add_wedges(PiecewiseLinearInput& input, int notches, const Rational& floor,
                   const Rational& ceiling, const Rational& gap) {
   const int side = notches + 1;

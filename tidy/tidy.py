@@ -253,7 +253,7 @@ class Tidy:
         for number, line in enumerate(text.split("\n"), 1):
             if BANNER.match(line) and not inside(path, BANNERS):
                 self.fault(path, number, "banner", "no banner replaces a file: split it by its ideas, or leave the banner out")
-            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark) and not inside(path, WIDE_COMMENTS):
+            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark + " ") and not inside(path, WIDE_COMMENTS):
                 self.fault(path, number, "comment", f"end the line of a comment at {WIDEST_COMMENT} columns")
 
     def functions(self, path, code):

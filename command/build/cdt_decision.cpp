@@ -32,10 +32,10 @@ std::vector<Simplex> facets_in(const Polygon& polygon, const std::vector<Simplex
   return in_polygon;
 }
 
-// The tetrahedra are those of a CDT. Where a polygon has some of the domain beside it, they tile it;
-// elsewhere it dangles, and its planar CDT is as good as any. Segments bound these parts of a
-// polygon, and no triangle of either kind crosses a segment: so a triangle of the planar CDT is in a
-// tiled part iff its barycentre is in one of the tiles.
+// The tetrahedra are those of a CDT. Where a polygon has some of the domain beside it, they tile
+// it; elsewhere it dangles, and its planar CDT is as good as any. Segments bound these parts of a
+// polygon, and no triangle of either kind crosses a segment: so a triangle of the planar CDT is in
+// a tiled part iff its barycentre is in one of the tiles.
 PlcTriangulation completed(const PiecewiseLinearComplex& complex, std::vector<Simplex> tetrahedra) {
   const std::vector<Simplex> facets = facets_of(tetrahedra);
   std::set<Simplex> faces(complex.segments.begin(), complex.segments.end());

@@ -19,8 +19,8 @@
 namespace circumspect::cli {
 namespace {
 
-// What is happening, on standard error: how the time is shared out, when the making small goes on alone,
-// and on a terminal one line that is written over and over.
+// What is happening, on standard error: how the time is shared out, when the making small goes on
+// alone, and on a terminal one line that is written over and over.
 class Narrator {
  public:
   Narrator(const campaign::Plan& plan, const OutputOptions& output)

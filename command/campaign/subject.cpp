@@ -23,9 +23,9 @@ bool names_file(const std::string& argument) {
   return std::filesystem::is_regular_file(argument, error);
 }
 
-// A path to a file of the user's is found from the folder in which the program runs only if it is whole. A word
-// without a slash is no path: the i of `qdelaunay Qt i` stays so where there is a file i. The words of a worker are those of
-// `node adapter.mjs`.
+// A path to a file of the user's is found from the folder in which the program runs only if it is
+// whole. A word without a slash is no path: the i of `qdelaunay Qt i` stays so where there is a
+// file i. The words of a worker are those of `node adapter.mjs`.
 std::string with_whole_path(const std::string& argument, bool is_worker) {
   const bool may_be_path = is_worker || argument.find('/') != std::string::npos;
   if (!may_be_path || !names_file(argument)) return argument;

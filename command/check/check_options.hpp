@@ -38,8 +38,8 @@ struct CheckOptions {
 // The options outlive the command.
 void add_check_options(CLI::App& command, CheckOptions& options);
 
-// What a claim needs and did not get, or got and does not need, and whatever else does not go together; empty if all is well. What is
-// demanded of a complex is put into `options.check`.
+// What a claim needs and did not get, or got and does not need, and whatever else does not go
+// together; empty if all is well. What is demanded of a complex is put into `options.check`.
 std::string usage_fault(CheckOptions& options);
 
 }  // namespace circumspect::cli

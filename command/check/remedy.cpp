@@ -19,8 +19,8 @@ constexpr int kTimesTenSmaller = 4;  // a distance is divided by ten
 
 bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
 
-// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
-// polygon has it as well.
+// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing
+// itself; none if another polygon has it as well.
 std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDomain& domain) {
   const auto bounds_nothing = [&](std::size_t polygon) {
     return std::binary_search(domain.bound_nothing.begin(), domain.bound_nothing.end(), polygon);
@@ -72,8 +72,9 @@ tl::expected<Verdict, check::NotJudged> judged_within(
                                work);
   };
   auto verdict = judged();
-  // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
-  // smaller one finds what is missing, and what holds at none of those that were looked at does not hold at it.
+  // The distance also says how flat joined polygons are. It may be larger than what tells cells
+  // apart: then a smaller one finds what is missing, and what holds at none of those that were
+  // looked at does not hold at it.
   for (int times = 0; bent != nullptr && !verdict && verdict.error().is_input_fault; ++times) {
     if (times == kTimesTenSmaller) break;
     squared /= 100;
@@ -155,7 +156,8 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
 
 namespace {
 
-// What may be all that is wrong, each with options that allow for it, is tried in turn, until the claim holds.
+// What may be all that is wrong, each with options that allow for it, is tried in turn, until the
+// claim holds.
 class Remedies {
  public:
   Remedies(const Verdict& verdict, const Judged& judged, const check::Options& options)
@@ -178,8 +180,8 @@ class Remedies {
   }
 
  private:
-  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more, and more than half a
-  // second, the note proposes to find out.
+  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more,
+  // and more than half a second, the note proposes to find out.
   static constexpr std::size_t kLeastWork = 1'000'000;
   static constexpr std::size_t kWorkOfSimplex = 1;
 

@@ -52,8 +52,8 @@ void report_comparison(const CompareOptions& options, const Comparison& comparis
   if (output.wants_json()) output.json(json_of({options.a, options.b}, comparison, notes));
 }
 
-// The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the plane or
-// space, in both the same.
+// The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the
+// plane or space, in both the same.
 formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Difference& found) {
   formats::ElementFile file;
   file.points.dimension = a.dimension();
@@ -147,8 +147,8 @@ bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
   return fault.empty();
 }
 
-// False, with an error, if one of the simplices that only this mesh has names a point that the file does not have: it
-// cannot be compared, not even with itself.
+// False, with an error, if one of the simplices that only this mesh has names a point that the file
+// does not have: it cannot be compared, not even with itself.
 bool names_points(const LoadedMesh& input, const std::vector<Simplex>& simplices, Output& output) {
   for (const Simplex& simplex : simplices) {
     Simplex labels = simplex;
@@ -220,8 +220,8 @@ void compare(const CompareOptions& options, Output& output) {
   }
   const bool are_known = names_points(*a, found->simplices_only_in_a, output);
   if (!names_points(*b, found->simplices_only_in_b, output) || !are_known) return;
-  // Whatever is to be written is made first, since an interrupt ends that at once, and what is being written
-  // would stay behind, unfinished.
+  // Whatever is to be written is made first, since an interrupt ends that at once, and what is
+  // being written would stay behind, unfinished.
   formats::ElementFile elements;
   std::string fault;
   if (!options.output_file.empty()) {

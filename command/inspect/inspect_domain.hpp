@@ -1,5 +1,5 @@
-// `inspect` of a domain: is it a piecewise linear complex, what are its parts, and does it have a CDT?
-// Book: Sections 4.5 and 5.6.
+// `inspect` of a domain: is it a piecewise linear complex, what are its parts, and does it have a
+// CDT? Book: Sections 4.5 and 5.6.
 #pragma once
 
 #include <optional>
@@ -33,8 +33,8 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
 // The facts that --only may name: in the order in which they are found, and printed at once.
 std::vector<std::string> domain_facts();
 
-// `only`: some of the facts; none means all. Requires: domain_facts() has them. What is found is added to `page`, if
-// there is one.
+// `only`: some of the facts; none means all. Requires: domain_facts() has them. What is found is
+// added to `page`, if there is one.
 void inspect_domain(const std::string& path, const InputOptions& input,
                     const DomainInspection& options, const std::vector<std::string>& only,
                     Output& output, picture::Page* page);

@@ -35,8 +35,8 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
   return result;
 }
 
-// An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size of
-// the set; the other balls take a look at every (k+2)-subset.
+// An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size
+// of the set; the other balls take a look at every (k+2)-subset.
 Genericity genericity(const PointSet& points, const Triangulation& triangulation,
                       std::size_t subsets) {
   const auto empty_ball = reference::cospherical_points_of_an_empty_ball(points, triangulation);

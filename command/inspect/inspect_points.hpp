@@ -1,4 +1,5 @@
-// `inspect` of a point set: dimension, duplicates, genericity with a witness, counts. Book: Section 4.1.
+// `inspect` of a point set: dimension, duplicates, genericity with a witness, counts. Book: Section
+// 4.1.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ struct PointsInspection {
 // The facts that --only may name.
 std::vector<std::string> point_facts();
 
-// `only`: some of the facts; none means all. Requires: point_facts() has them. What is found is added to `page`, if
-// there is one.
+// `only`: some of the facts; none means all. Requires: point_facts() has them. What is found is
+// added to `page`, if there is one.
 void inspect_points(const std::string& path, const InputOptions& input,
                     const PointsInspection& options, const std::vector<std::string>& only,
                     Output& output, picture::Page* page);

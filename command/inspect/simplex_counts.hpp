@@ -17,8 +17,8 @@ struct SimplexCount {
   std::optional<std::size_t> bound;
 };
 
-// One entry for each dimension from 1 to that of the triangulation of `points` points; of simplices that have
-// too many faces to list them (20,000,000, in high dimensions) only that of the last.
+// One entry for each dimension from 1 to that of the triangulation of `points` points; of simplices
+// that have too many faces to list them (20,000,000, in high dimensions) only that of the last.
 std::vector<SimplexCount> simplex_counts(const Triangulation& triangulation, std::size_t points);
 
 }  // namespace circumspect::cli

@@ -23,7 +23,8 @@ inline bool number_and_unit(const std::string& text, double& number, std::string
   return true;
 }
 
-// Text such as "90", "1.5m" or "500ms" as seconds. Returns what is wrong with it, or an empty string.
+// Text such as "90", "1.5m" or "500ms" as seconds. Returns what is wrong with it, or an empty
+// string.
 inline std::string read_duration(const std::string& text, double& seconds) {
   const std::map<std::string, double> units = {{"", 1},   {"s", 1},    {"ms", 0.001},
                                                {"m", 60}, {"min", 60}, {"h", 3600}};
@@ -36,7 +37,8 @@ inline std::string read_duration(const std::string& text, double& seconds) {
   return "";
 }
 
-// Text such as "2G", "512M", "64k" or "0" as bytes. Returns what is wrong with it, or an empty string.
+// Text such as "2G", "512M", "64k" or "0" as bytes. Returns what is wrong with it, or an empty
+// string.
 inline std::string read_bytes(const std::string& text, std::uint64_t& bytes) {
   const std::map<std::string, int> units = {{"", 0},   {"k", 10}, {"K", 10},
                                             {"M", 20}, {"G", 30}, {"T", 40}};

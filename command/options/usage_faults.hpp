@@ -1,4 +1,5 @@
-// What a command line asks for that does not go together, as a table: a row is a condition and what is said where it is met.
+// What a command line asks for that does not go together, as a table: a row is a condition and what
+// is said where it is met.
 #pragma once
 
 #include <string>

@@ -10,8 +10,8 @@
 
 namespace circumspect::cli {
 
-// Refuses what is not a whole number from `least` to `most`, in words for people: CLI11 would take −1 for
-// 2^64 − 1, and that for any larger one, and would say "Value -1 not in range [1 - 256]".
+// Refuses what is not a whole number from `least` to `most`, in words for people: CLI11 would take
+// −1 for 2^64 − 1, and that for any larger one, and would say "Value -1 not in range [1 - 256]".
 inline CLI::Validator whole_number(std::uint64_t least = 0,
                                    std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
   const auto fault = [least, most](std::string& text) -> std::string {

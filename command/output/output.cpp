@@ -58,8 +58,8 @@ void print(const std::string& text) {
   if (written != text.size() && why_not_written == 0) why_not_written = errno;
 }
 
-// The same lines, with the words in colour at which one looks first: those before a colon that say whether it
-// holds, and the names of rules, which have a dot. For terminals.
+// The same lines, with the words in colour at which one looks first: those before a colon that say
+// whether it holds, and the names of rules, which have a dot. For terminals.
 std::string in_colour(const std::string& lines) {
   static const std::map<std::string_view, std::string_view> colours = {
       {"holds", "\x1b[1;32m"},  {"same", "\x1b[1;32m"},      {"fails", "\x1b[1;31m"},
