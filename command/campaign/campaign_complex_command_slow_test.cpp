@@ -14,8 +14,9 @@ std::string with_rows(const std::string& rows) {
          rows + "' whole.ele > \"$2\"\n";
 }
 
-const Arguments kAsked = {"--claim", "complex", "--cases", "40", "--max-points", "9",
-                          "--minimize-runs", "20", "--full-dimension"};
+const Arguments kAsked = {"--claim",         "complex", "--cases",         "40",
+                          "--max-points",    "9",       "--minimize-runs", "20",
+                          "--full-dimension"};
 
 TEST_CASE("campaign --claim complex: a right program holds") {
   const Program right(kRight);
@@ -25,8 +26,9 @@ TEST_CASE("campaign --claim complex: a right program holds") {
 }
 
 TEST_CASE("campaign --claim complex: a simplex that is listed twice is found, and made small") {
-  const Program twice(with_rows("NF && !/^#/ { if (!n++) { print $1 + 1, $2, $3; next } "
-                                "if (n == 2) first = $0; print } END { print first }"));
+  const Program twice(
+      with_rows("NF && !/^#/ { if (!n++) { print $1 + 1, $2, $3; next } "
+                "if (n == 2) first = $0; print } END { print first }"));
   const Run failed = run(twice.campaign(kAsked));
   CHECK(failed.exit_code == 1);
   CHECK(twice.signatures() == std::set<std::string>{"complex.duplicate-simplex"});

@@ -54,9 +54,7 @@ class Searched {
   using View = fast::MeshView<kDimension, Index>;
   static constexpr std::size_t kVertices = kDimension + 1;
 
-  Searched(const View& listed, unsigned threads) : listed_(listed), threads_(threads) {
-    merge();
-  }
+  Searched(const View& listed, unsigned threads) : listed_(listed), threads_(threads) { merge(); }
 
   // False if it finds nothing out.
   bool run() {
@@ -376,8 +374,7 @@ std::optional<Verdict> failing_complex(const fast::MeshView<kDimension, Index>& 
   }
   const Part<kDimension, Index> part(mesh, std::move(simplices), points);
   Verdict verdict = verdict_of_part(whole, part, demands, max_violations);
-  const Rule rule =
-      demands.oriented == Orientations::kSame ? Rule::kOrientation : Rule::kInverted;
+  const Rule rule = demands.oriented == Orientations::kSame ? Rule::kOrientation : Rule::kInverted;
   const auto counted = verdict.tallies().find(rule);
   std::size_t turned_in_part = counted == verdict.tallies().end() ? 0 : counted->second.count;
   for (; turned_in_part < all_turned; ++turned_in_part) verdict.count(rule);

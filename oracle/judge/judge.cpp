@@ -111,7 +111,8 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
 }
 
 template <std::size_t kDimension, typename Index>
-OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
+OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view,
+                               const Options& options) {
   if (options.by != By::kLemma) return because("judged by definition");
   auto verdict = held_complex(view, options.complex, options.max_violations, threads_of(options));
   if (!verdict) {

@@ -119,11 +119,11 @@ struct Within {
 
 // For the claim `complex`: what the mesh is, of the simplices that were compared.
 struct ComplexFacts {
-  int dimension = -1;         // of its simplices
-  std::size_t set_apart = 0;  // flat, repeated, doubled and such
-  bool is_complex = false;    // do the others form one?
+  int dimension = -1;           // of its simplices
+  std::size_t set_apart = 0;    // flat, repeated, doubled and such
+  bool is_complex = false;      // do the others form one?
   bool are_counts_cut = false;  // do so many overlap that no more were counted?
-  std::size_t parts = 0;      // that facets connect
+  std::size_t parts = 0;        // that facets connect
   std::size_t boundary_facets = 0;
   std::size_t hanging_vertices = 0;
   // How many quadrilaterals two simplices have on the one side and two on the other, which are cut

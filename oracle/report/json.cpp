@@ -66,13 +66,13 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
 
 Json complex_facts(const ComplexFacts& facts) {
   Json object = {{"dimension", facts.dimension},
-          {"set_apart", facts.set_apart},
-          {"others_form_a_complex", facts.is_complex},
-          {"parts", facts.parts},
-          {"boundary_facets", facts.boundary_facets},
-          {"hanging_vertices", facts.hanging_vertices},
-          {"positive", facts.positive},
-          {"negative", facts.negative}};
+                 {"set_apart", facts.set_apart},
+                 {"others_form_a_complex", facts.is_complex},
+                 {"parts", facts.parts},
+                 {"boundary_facets", facts.boundary_facets},
+                 {"hanging_vertices", facts.hanging_vertices},
+                 {"positive", facts.positive},
+                 {"negative", facts.negative}};
   if (facts.are_counts_cut) object["counts_are_cut"] = true;
   return object;
 }

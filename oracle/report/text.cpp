@@ -196,13 +196,12 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
 }
 
 std::string cause_line(const Cause& cause) {
-  const std::string all = cause.of_listed
-                              ? fmt::format("{} above", counted(cause.of, "violation"))
-                              : counted(cause.of, "violation");
-  const std::string explained =
-      cause.explains < cause.of ? fmt::format("{} of {}", cause.explains, all)
-      : cause.of == 1           ? "the violation"
-                                : "all " + all;
+  const std::string all = cause.of_listed ? fmt::format("{} above", counted(cause.of, "violation"))
+                                          : counted(cause.of, "violation");
+  const std::string explained = cause.explains < cause.of
+                                    ? fmt::format("{} of {}", cause.explains, all)
+                                : cause.of == 1 ? "the violation"
+                                                : "all " + all;
   return fmt::format("cause: {} (explains {})", cause.words, explained);
 }
 
@@ -235,8 +234,9 @@ std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
 std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
                                               const std::string& mesh_name) {
   if (!verdict.complex || !verdict.complex->are_counts_cut) return std::nullopt;
-  return mesh_name + ": so many simplices overlap that no more were looked for: the counts are at "
-                     "least those";
+  return mesh_name +
+         ": so many simplices overlap that no more were looked for: the counts are at "
+         "least those";
 }
 
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name) {

@@ -44,8 +44,7 @@ std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
                                                  const std::string& mesh_name);
 
 // For a note, of the claim `complex`: that more overlap than were counted. None if all were.
-std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
-                                              const std::string& mesh_name);
+std::optional<std::string> note_of_cut_counts(const Verdict& verdict, const std::string& mesh_name);
 
 // For a note, of the claim `complex`: how many simplices were set apart, and whether the others form a complex. None if
 // none was.

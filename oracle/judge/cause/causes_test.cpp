@@ -121,8 +121,9 @@ void check_planted(std::size_t side) {
     for (Simplex& simplex : later.simplices) {
       for (Vertex& w : simplex) ++w;
     }
-    CHECK(named(later, claim) ==
-          "indices-begin-elsewhere: indices seem to begin at 1, not at 0: so read, the claim holds");
+    CHECK(
+        named(later, claim) ==
+        "indices-begin-elsewhere: indices seem to begin at 1, not at 0: so read, the claim holds");
     for (Simplex& simplex : later.simplices) {
       for (Vertex& w : simplex) w -= 2;
     }
@@ -133,17 +134,17 @@ void check_planted(std::size_t side) {
     Lists others = good;
     std::mt19937 random(1);
     std::shuffle(others.points.begin(), others.points.end(), random);
-    CHECK(named(others, claim).starts_with(
-        "points-of-another-mesh: the points seem to be those of another mesh"));
+    CHECK(named(others, claim)
+              .starts_with("points-of-another-mesh: the points seem to be those of another mesh"));
 
     Lists turned = good;
     std::swap(turned.simplices.back()[0], turned.simplices.back()[1]);
     Options same;
     same.oriented = true;
     same.complex.oriented = Orientations::kSame;
-    CHECK(named(turned, claim, same).find(is_plane ? "triangles lists its vertices in the other"
-                                                   : "tetrahedra lists its vertices in the other") !=
-          std::string::npos);
+    CHECK(named(turned, claim, same)
+              .find(is_plane ? "triangles lists its vertices in the other"
+                             : "tetrahedra lists its vertices in the other") != std::string::npos);
 
     Lists labelled = good;
     for (std::size_t s = 0; s < good.simplices.size(); ++s) {
@@ -219,8 +220,9 @@ template <std::size_t kDimension>
 void check_apart(std::size_t side) {
   Lists equal = grid<kDimension>(side);
   part(equal, 0);
-  CHECK(named(equal, Claim::kComplex).find(" equal another one, exactly: with --duplicates merge "
-                                           "the claim holds") != std::string::npos);
+  CHECK(named(equal, Claim::kComplex)
+            .find(" equal another one, exactly: with --duplicates merge "
+                  "the claim holds") != std::string::npos);
   Lists hanging = grid<kDimension>(side);
   Simplex& cut = hanging.simplices.back();
   hanging.points.push_back(barycentre({hanging.at(cut[0]), hanging.at(cut[1])}));
@@ -254,9 +256,9 @@ TEST_CASE("causes: parts that were meshed apart") {
     CAPTURE(name(claim));
     CHECK(named(plane, claim).find("parts that were meshed apart meet: 10 vertices lie inside") !=
           std::string::npos);
-    CHECK(named(space, claim).find(
-              "parts that were meshed apart meet in 16 quadrilaterals with different diagonals") !=
-          std::string::npos);
+    CHECK(named(space, claim)
+              .find("parts that were meshed apart meet in 16 quadrilaterals with different "
+                    "diagonals") != std::string::npos);
   }
 }
 
@@ -271,9 +273,10 @@ TEST_CASE("causes: points with a column that is no coordinate") {
   for (std::size_t v = 0; v < labelled.points.size(); ++v) {
     labelled.points[v].back() = Rational(static_cast<long>(v * v), 7);
   }
-  CHECK(named(labelled, Claim::kDelaunay) ==
-        "last-coordinate-does-not-count: the last coordinate is a height: seen along that axis, the "
-        "claim holds");
+  CHECK(
+      named(labelled, Claim::kDelaunay) ==
+      "last-coordinate-does-not-count: the last coordinate is a height: seen along that axis, the "
+      "claim holds");
 }
 
 TEST_CASE("causes: signs that are all the other way") {

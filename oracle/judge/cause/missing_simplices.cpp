@@ -20,8 +20,7 @@ constexpr std::size_t kMostUnused = 16;
 // The holes of a mesh: what bare facets enclose between them and with the convex hull.
 class Holes {
  public:
-  explicit Holes(const Mesh& mesh)
-      : mesh_(mesh), bare_(bare_facets(mesh)), joined_(bare_.size()) {
+  explicit Holes(const Mesh& mesh) : mesh_(mesh), bare_(bare_facets(mesh)), joined_(bare_.size()) {
     join();
   }
 

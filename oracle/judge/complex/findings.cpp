@@ -137,8 +137,7 @@ Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& de
   found.open_facets = open_facets(uses);
   found.boundary_facets = found.open_facets.size();
   found.part_of = part_of_each(simplices, uses);
-  found.parts =
-      std::set<std::size_t>(found.part_of.begin(), found.part_of.end()).size();
+  found.parts = std::set<std::size_t>(found.part_of.begin(), found.part_of.end()).size();
   if (is_full) {
     take_signs(signs(points, simplices), found);
   } else {
