@@ -76,20 +76,23 @@ std::string named(const Lists& lists, Claim claim, const Options& options = {}) 
   return first.name + ": " + first.words + (first.explains == first.of ? "" : " in part");
 }
 
-// The half beyond the middle has other points there, which are moved along the last axis.
+// The half beyond the middle has points of its own there, which are moved along the last axis; if
+// they are, the first and the last are left.
 void part(Lists& lists, const Rational& moved) {
   const Rational middle(static_cast<long>(lists.points.back()[0].get_d()) / 2);
+  const std::size_t most = lists.points.size() - 1;
   std::map<Vertex, Vertex> own;
   for (Simplex& simplex : lists.simplices) {
     if (barycentre(lists.corners(simplex))[0] < middle) continue;
     for (Vertex& v : simplex) {
-      if (lists.at(v)[0] != middle) continue;
+      const Rational last = lists.at(v).back();
+      const bool is_end = last == 0 || last == lists.points[most].back();
+      if (lists.at(v)[0] != middle || (moved != 0 && is_end)) continue;
       const auto [twin, is_new] = own.emplace(v, static_cast<Vertex>(lists.points.size()));
       if (is_new) {
-        lists.points.push_back(lists.at(v));
-        const Rational last = lists.points.back().back();
-        const bool is_inner = last > 0 && last < lists.points.front().back() + 2 * middle;
-        if (is_inner) lists.points.back().back() += moved;
+        const Point point = lists.at(v);
+        lists.points.push_back(point);
+        lists.points.back().back() += moved;
       }
       v = twin->second;
     }

@@ -16,7 +16,7 @@ namespace circumspect::check {
 namespace {
 
 // Fewer violations name too much in common to tell anything.
-constexpr std::size_t kFewest = 2;
+constexpr std::size_t kFewest = 3;
 // Stars that are larger than this are not tried elsewhere.
 constexpr std::size_t kMostInStar = 1'000;
 
