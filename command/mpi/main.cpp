@@ -135,9 +135,12 @@ std::string said(const Judged& judged, const MpiOptions& options) {
   }
   const auto note =
       report::note_of_domain_not_given(*judged.verdict, judged.named, options.files.mesh);
+  std::string notes;
+  for (const auto& one : {note, report::note_of_claim_complex(*judged.verdict, options.files.mesh)}) {
+    if (one) notes += "note: " + circumspect::on_one_line(*one) + "\n";
+  }
   return circumspect::on_lines(
-      report::explanation(*judged.verdict, judged.named) +
-      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
+      report::explanation(*judged.verdict, judged.named) + notes +
       report::verdict_line(*judged.verdict, judged.named, options.files.mesh) + "\n");
 }
 
