@@ -122,8 +122,9 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     return;
   }
   Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
-  if (const auto note = note_of_complex(*verdict, loaded->mesh, path)) {
-    notes.of_verdict.push_back(*note);
+  for (const auto& note :
+       {note_of_complex(*verdict, loaded->mesh, path), note_of_merging(*loaded)}) {
+    if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
@@ -174,11 +175,6 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
   std::optional<Verdict> verdict;
   if (options.within) {
-    const std::string equal = settle_equal_points(*loaded, options.input.duplicates);
-    if (!equal.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, equal);
-      return;
-    }
     const KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
     auto judged = judged_within(*options.within, claim, known, domain.domain, options.check,
                                 against.bent ? &*against.bent : nullptr,
@@ -206,7 +202,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const bool has_merged = options.said.merged_slope.has_value();
   const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
-  for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
+  for (const auto& note :
+       {remedy(*verdict, judged, options.check), lone, weaker, note_of_merging(*loaded)}) {
     if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);

@@ -1,5 +1,6 @@
 // Makes of the compiled command, and of the sources beside this, one page that needs no server and no other file.
 //   node bundle.mjs BUILD OUTPUT        BUILD has circumspect.js, circumspect.wasm and licences/; esbuild is in NODE_PATH
+import { createHash } from 'node:crypto';
 import { createRequire } from 'node:module';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -33,4 +34,7 @@ const parts = {
   licences: packed(licences),
   script: inScript(bundled('app.js')),
 };
-writeFileSync(output, read(here, 'web.html').replace(/\{\{(style|claims|worker|wasm|licences|script)\}\}/g, (_, name) => parts[name]));
+// The page runs its own script and, in a frame that inherits its policy, that of the pages of pictures: no other, whatever gets into it.
+parts.hash = `sha256-${createHash('sha256').update(parts.script).digest('base64')}`;
+[parts['hash of pictures']] = read(page, 'page.built.html').match(/sha256-[\w+/]+=/);
+writeFileSync(output, read(here, 'web.html').replace(/\{\{(style|claims|worker|wasm|licences|script|hash|hash of pictures)\}\}/g, (_, name) => parts[name]));

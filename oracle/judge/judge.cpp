@@ -203,12 +203,14 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   return verdict;
 }
 
-Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options) {
+Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options,
+                     std::vector<Duplicate>* merged) {
   if (claim != Claim::kComplex) {
     auto verdict = judge(claim, mesh, domain, options);
     if (verdict) return std::move(*verdict);
   }
-  merge_equal_points(mesh);
+  const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+  if (merged != nullptr) merged->insert(merged->end(), repeated.begin(), repeated.end());
   return judge(claim, mesh, domain, options).value();
 }
 

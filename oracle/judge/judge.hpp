@@ -32,9 +32,9 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,
                                          const Domain* domain = nullptr,
                                          const Options& options = {});
 
-// The same where equal points count as one: they are merged if there are any.
+// The same where equal points count as one: they are merged if there are any, and added to `merged`.
 Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain = nullptr,
-                     const Options& options = {});
+                     const Options& options = {}, std::vector<Duplicate>* merged = nullptr);
 
 // Why what is demanded beside the claim `complex` makes no sense of the mesh, one line; empty if it does.
 std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
