@@ -1,4 +1,5 @@
-// Equal points that are merged: a note beside the verdict says which; and one message says that they are refused.
+// Equal points that are merged: a note beside the verdict says which. One message says that they are
+// refused.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
@@ -6,7 +7,8 @@
 namespace circumspect::cli {
 namespace {
 
-// Four corners of a square. The fifth point is the first one again, and the sixth the third; they are counted from 1.
+// Four corners of a square, counted from 1. The fifth point is the first one again, and the sixth
+// the third.
 struct Torn {
   ScratchFolder folder;
   std::string node = folder.write("m.node", "6 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 0 0\n6 4 4\n");

@@ -20,7 +20,9 @@ const style = esbuild.transformSync(['page.css', 'roles.css'].map((name) => read
   { loader: 'css', minify: true });
 
 // The claims are those that the command knows.
-const claims = read(here, '..', '..', 'oracle', 'model', 'verdict.cpp').match(/return "[a-z-]+";/g).map((line) => line.split('"')[1]);
+const rows = read(here, '..', '..', 'oracle', 'model', 'claim.cpp').matchAll(/\{Claim::\w+, "([a-z-]+)"/g);
+const claims = Array.from(rows, ([, claim]) => claim);
+if (claims.length === 0) throw new Error('expected a row for each claim in oracle/model/claim.cpp, found none');
 // The licences of all that is compiled into the page, and the project's own: one text, which the page unpacks when it is asked for.
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
 const licences = [['Circumspect', read(here, '..', '..', 'LICENSE')],
