@@ -163,7 +163,7 @@ void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged
                          std::vector<std::string>& notes) {
   if (repeated.empty()) return;
   if (!are_merged) {
-    refuse_equal_points(repeated, "; to take equal points for one, set merge_equal_points");
+    refuse_equal_points(repeated, "set merge_equal_points");
   }
   merge_equal_points(mesh);
   notes.push_back(report::note_of_merged_points(repeated));

@@ -124,8 +124,9 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   });
   verdict->causes = std::move(causes.found);
   Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
-  if (const auto note = note_of_complex(*verdict, path, causes.as_complex)) {
-    notes.of_verdict.push_back(*note);
+  for (const auto& note :
+       {note_of_complex(*verdict, path, causes.as_complex), note_of_merging(*loaded)}) {
+    if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
@@ -213,7 +214,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const bool has_merged = options.said.merged_slope.has_value();
   const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
-  for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
+  for (const auto& note :
+       {remedy(*verdict, judged, options.check), lone, weaker, note_of_merging(*loaded)}) {
     if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);

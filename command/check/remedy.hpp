@@ -28,9 +28,9 @@ tl::expected<Verdict, check::NotJudged> judged_within(
 std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh& mesh,
                                               const std::string& path);
 
-// Whether the simplices fit together at least, of a mesh that does not fill the hull of its points,
-// or of one with flat simplices, which keep the others from being judged. `alone`: what the claim
-// `complex` says of it, if it was asked.
+// Whether the simplices fit together at least, of a mesh that does not fill the hull of its points:
+// with how many simplices that is tried is limited. Likewise of a mesh with flat simplices, which
+// keep the others from being judged. `alone`: what the claim `complex` says of it, if it was asked.
 std::optional<std::string> note_of_complex(const Verdict& verdict, const std::string& path,
                                            const std::optional<Verdict>& alone);
 

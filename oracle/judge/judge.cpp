@@ -163,7 +163,10 @@ Verdict judge(Claim claim, Merging merging, const Domain* domain, const Options&
     auto verdict = judge(claim, mesh, domain, options);
     if (verdict) return std::move(*verdict);
   }
-  merge_equal_points(mesh);
+  const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+  if (merging.merged != nullptr) {
+    merging.merged->insert(merging.merged->end(), repeated.begin(), repeated.end());
+  }
   return judge(claim, mesh, domain, options).value();
 }
 

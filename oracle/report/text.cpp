@@ -253,18 +253,21 @@ std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::
       facts.is_complex ? "form" : "do not form", facts.is_complex ? "" : broken);
 }
 
-std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count) {
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count,
+                                  std::string_view to_merge) {
   return fmt::format(
-      "expected distinct points, found points {} and {} equal{}", kept, again,
-      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "");
+      "expected distinct points, found points {} and {} equal{}{}", kept, again,
+      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "",
+      to_merge.empty() ? "" : fmt::format("; to take equal points for one, {}", to_merge));
 }
 
-std::string note_of_merged_points(const std::vector<Duplicate>& merged) {
+std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex first_index) {
   const auto& [kept, again] = merged.front();
-  return fmt::format("points {} and {} are equal and count as one{}", kept, again,
-                     merged.size() > 1 ? fmt::format("; in all, {} repeat an earlier one",
-                                                     counted(merged.size(), "point"))
-                                       : "");
+  return fmt::format(
+      "points {} and {} are equal and count as one{}", kept + first_index, again + first_index,
+      merged.size() > 1
+          ? fmt::format("; in all, {} repeat an earlier one", counted(merged.size(), "point"))
+          : "");
 }
 
 // ---- Words that texts and JSON share ----

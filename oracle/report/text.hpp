@@ -51,11 +51,14 @@ std::optional<std::string> note_of_cut_counts(const Verdict& verdict, const std:
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name);
 
 // For a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and
-// 1 more duplicate". `count`: how many repeat an earlier point; the first of these is `again`,
-// which repeats `kept`, by the user's indices.
-std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count);
-// The text of a note on merged points, by places: "points 2 and 3 are equal and count as one".
-std::string note_of_merged_points(const std::vector<Duplicate>& merged);
+// 1 more duplicate; to take equal points for one, add --duplicates merge". `count`: how many repeat
+// an earlier point; the first of these is `again`, which repeats `kept`, by the user's indices.
+// `to_merge`: what the user does to merge them, if that is possible.
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count,
+                                  std::string_view to_merge);
+// The text of a note on merged points: "points 2 and 3 are equal and count as one". Requires: some
+// were merged; the user's index of the first point is `first_index`.
+std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex first_index = 0);
 
 // ---- Words that texts and JSON share ----
 // The words that texts and JSON share.
