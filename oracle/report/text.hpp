@@ -46,7 +46,6 @@ std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count
 // The text of a note on merged points, by places: "points 2 and 3 are equal and count as one".
 std::string note_of_merged_points(const std::vector<Duplicate>& merged);
 
-// ---- Words that texts and JSON share ----
 // The words that texts and JSON share.
 
 // "1 point", "2 points". `several` is the plural if it is not formed with an s.
@@ -82,7 +81,6 @@ std::string labels(const AnyMesh& mesh, const Simplex& simplex) {
 
 std::string name(check::By by);
 
-// ---- Rounded up ----
 // Distances for people, never less than they are.
 
 // The square root in two significant digits, rounded up: "2.1e-14"; "0" for zero. As a number it is

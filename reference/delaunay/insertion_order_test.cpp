@@ -12,8 +12,6 @@
 
 namespace circumspect::delaunay {
 
-// ---- Space-filling curves ----
-
 namespace {
 
 // All cells of the grid {0, …, 2^bits − 1}^k.
@@ -99,8 +97,6 @@ TEST_CASE("space-filling curve: a permutation that does not depend on the order 
     }));
   }
 }
-
-// ---- Orders ----
 
 constexpr auto kOrders = {InsertionOrder::kAsGiven, InsertionOrder::kRandom,
                           InsertionOrder::kBrioHilbert, InsertionOrder::kBrioZOrder};
