@@ -19,6 +19,7 @@
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -66,8 +66,6 @@ std::string usage_fault(CheckOptions& options) {
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
-  const bool about_domain = options.claim && is_about_a_domain(*options.claim);
-  const std::string_view claim = options.claim ? name(*options.claim) : "";
   const std::string fault = first_fault({
       demands,
       contradiction(certificate, complex),
@@ -75,16 +73,11 @@ std::string usage_fault(CheckOptions& options) {
       contradiction(memory, complex),
       contradiction(within, certificate, "nothing is proved of it"),
       certificate.is_given ? certificate_fault(options.said) : "",
-      {about_domain && !domain.is_given,
-       fmt::format("expected --domain FILE for the claim {}, found none", claim)},
-      {options.claim && !about_domain && domain.is_given,
-       fmt::format("expected no --domain for the claim {}, found one", claim)},
+      domain_options_fault(options.said, options.claim, domain.is_given),
       dependence(within, domain),
-      dependence({options.said.is_given(), "--fill, --hole, --region or --merge-coplanar"}, domain),
       dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},
                  {within.is_given, "--within DISTANCE"},
                  "say how far vertices may be from one plane"),
-      domain_options_fault(options.said),
       contradiction(neighbors, labels, "a .neigh file is about all cells"),
       contradiction(certificate, labels, "a certificate is about all cells of a file"),
       {certificate.is_given && options.meshes.size() != 1,

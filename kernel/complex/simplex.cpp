@@ -59,10 +59,6 @@ bool next_subset(Simplex& subset, std::size_t n) {
   return true;
 }
 
-// ---- Facets ----
-
-// ---- Oriented facets ----
-
 OrientedFacet OrientedFacet::of(const Simplex& vertices_in_order) {
   return {sorted(vertices_in_order), is_odd_permutation(vertices_in_order)};
 }
@@ -81,8 +77,6 @@ Simplex join(const OrientedFacet& facet, Vertex apex) {
   if (facet.reversed) std::swap(simplex[simplex.size() - 1], simplex[simplex.size() - 2]);
   return simplex;
 }
-
-// ---- Which simplices have a facet ----
 
 std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices) {
   std::vector<FacetUse> uses;

@@ -9,7 +9,6 @@
 
 namespace circumspect {
 
-// ---- Simplex ----
 // Simplices as tuples of vertices, and all subsets of a given size, for loops "for every k+1
 // points".
 
@@ -39,7 +38,6 @@ Simplex first_subset(std::size_t size);
 // lexicographic order; false after the last.
 bool next_subset(Simplex& subset, std::size_t n);
 
-// ---- Facets ----
 // Facets: with a front and a back (Book: Section 5.1, "oriented triangular face"), and which
 // simplices of a list have them.
 

@@ -43,10 +43,6 @@ Integer exact_quotient(const Integer& dividend, const Integer& divisor) {
   return result;
 }
 
-// ---- Number text ----
-
-// ---- Reading ----
-
 namespace {
 
 using Result = tl::expected<Rational, NumberError>;
@@ -180,8 +176,6 @@ Result read_number(std::string_view token, NumberReading reading) {
   return exact_value(value);
 }
 
-// ---- Writing ----
-
 namespace {
 
 constexpr mpfr_prec_t kDoublePrecision = 53;
@@ -265,8 +259,6 @@ std::string square_root_to_decimal(const Rational& value) {
 std::string number_libraries() {
   return std::string("GMP ") + gmp_version + ", MPFR " + mpfr_get_version();
 }
-
-// ---- Exhausted memory ----
 
 namespace {
 

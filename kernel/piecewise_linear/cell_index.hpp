@@ -14,7 +14,6 @@
 
 namespace circumspect {
 
-// ---- Cell index ----
 // Which cells of a complex may meet one with which they share no vertex. For speed alone: the boxes
 // of n cells at one vertex all meet, although none of their n² pairs needs a look. Without this
 // index, `validated` takes 14 s for a double cone over a rim of 4,000 vertices; with it, 0.6 s.
@@ -52,7 +51,6 @@ class CellIndex {
   mutable std::size_t work_ = 0;
 };
 
-// ---- Nearby cells ----
 // Boxes around cells, and which cells may meet a box or a line segment. For speed alone; see
 // kernel/boxes/box_index.hpp.
 

@@ -55,7 +55,8 @@ void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCerti
   }
 }
 
-// The polygon's segments, those that its lines list, as chains of edges of its mesh. `seen`: the same vertices in the plane.
+// The polygon's segments, those that its lines list, as chains of edges of its mesh. `seen`: the
+// same vertices in the plane.
 template <class Seen>
 void add_rim(const PolygonPlace& in, const Polygon& given, const std::set<Simplex>& listed,
              const Seen& seen, PolygonCertificate& polygon, PartInput& part) {

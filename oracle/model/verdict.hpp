@@ -15,7 +15,6 @@
 
 namespace circumspect {
 
-// ---- Witness ----
 // The evidence for a broken rule: enough to re-check it by hand.
 
 // An exact value with the name under which it is reported.
@@ -50,7 +49,6 @@ struct Witness {
   std::optional<NearestVertex> nearest = {};  // to the missing cell of the domain
 };
 
-// ---- Verdict ----
 // The answer to a claim. A fault of the input is not a verdict: it never reaches a checker.
 
 struct Violation {

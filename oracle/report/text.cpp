@@ -270,8 +270,6 @@ std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex f
           : "");
 }
 
-// ---- Words that texts and JSON share ----
-
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
   if (count == 1) return fmt::format("1 {}", one);
   return several.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, several);
@@ -325,8 +323,6 @@ NamedCells named_cells(const Witness& witness, const Mesh& mesh) {
 }
 
 std::string name(check::By by) { return by == check::By::kLemma ? "lemma" : "definition"; }
-
-// ---- Rounded up ----
 
 std::string square_root_rounded_up(const Rational& squared) {
   if (sign(squared) == 0) return "0";

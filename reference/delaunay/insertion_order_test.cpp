@@ -13,8 +13,6 @@
 
 namespace circumspect::delaunay {
 
-// ---- Space-filling curves ----
-
 namespace {
 
 // All cells of the grid {0, …, 2^bits − 1}^k.
@@ -100,8 +98,6 @@ TEST_CASE("space-filling curve: a permutation that does not depend on the order 
     }));
   }
 }
-
-// ---- Orders ----
 
 constexpr auto kOrders = {InsertionOrder::kAsGiven, InsertionOrder::kRandom,
                           InsertionOrder::kBrioHilbert, InsertionOrder::kBrioZOrder};

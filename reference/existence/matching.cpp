@@ -75,8 +75,6 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
   return tetrahedra;
 }
 
-// ---- Matching ----
-
 namespace {
 
 // A facet of a tetrahedron, and the side on which the tetrahedron is, as the sign of the

@@ -38,8 +38,6 @@ std::vector<Simplex> simplicial_complex(const Triangulation& triangulation) {
   return {all.begin(), all.end()};
 }
 
-// ---- All triangulations ----
-
 namespace {
 
 // The position of a point with respect to a closed simplex of full dimension.
@@ -214,8 +212,6 @@ std::vector<Triangulation> all_triangulations(const PointSet& points, VertexUse 
   });
   return all;
 }
-
-// ---- Regularity ----
 
 namespace {
 
