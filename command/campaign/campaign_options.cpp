@@ -202,6 +202,9 @@ std::string worker_fault_of(const SubjectOptions& options, const Subject& subjec
 
 // What does not go together; empty if all does.
 std::string fault_of(const SubjectOptions& options, const Subject& subject) {
+  if (subject.claim == Claim::kVoronoi) {
+    return "expected a claim about meshes, which programs make in campaigns, found voronoi";
+  }
   const bool domains = subject.is_about_domains();
   const std::string input = formats::extension(subject.input_name);
   const std::string placeholder = domains ? "{domain}" : "{points}";

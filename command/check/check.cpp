@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
+#include "command/check/check_voronoi.hpp"
 #include "command/check/complex_options.hpp"
 #include "command/check/domain_readings.hpp"
+#include "command/check/hull_options.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/check/remedy.hpp"
@@ -43,6 +45,8 @@ struct CheckOptions {
   std::shared_ptr<Pictures> pictures;
   check::Options check;
   ComplexOptions complex;
+  HullDemands hull;
+  std::optional<JudgedBox> box;
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
@@ -106,12 +110,11 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  if (options.claim == Claim::kComplex) {
-    const std::string fault = check::fault_of_demands(loaded->mesh, options.check.complex);
-    if (!fault.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
-      return;
-    }
+  const std::string fault = check::fault_of_claim(options.claim.value_or(Claim::kDelaunay),
+                                                  loaded->mesh, options.check);
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
+    return;
   }
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
@@ -229,12 +232,18 @@ void check_against_domain(const CheckOptions& options, Output& output) {
 std::string usage_fault(CheckOptions& options) {
   std::string of_complex = settle_complex_options(options.complex, options.claim, options.check);
   if (!of_complex.empty()) return of_complex;
-  if (options.claim == Claim::kComplex) {
+  if (std::string fault = settle_hull_options(options.hull, options.claim, options.check);
+      !fault.empty()) {
+    return fault;
+  }
+  if (options.claim && is_about_a_list(*options.claim)) {
     for (const auto& [is_given, word] : std::initializer_list<std::pair<bool, const char*>>{
              {options.certificate.has_value(), "--certificate"},
              {options.input.neighbors, "--neighbors"},
              {options.memory.has_value(), "--memory"}}) {
-      if (is_given) return fmt::format("expected no {} beside the claim complex, found it", word);
+      if (!is_given) continue;
+      return fmt::format("expected no {} beside the claim {}, found it", word,
+                         name(*options.claim));
     }
   }
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
@@ -250,7 +259,15 @@ std::string usage_fault(CheckOptions& options) {
   if (options.claim && !about_domain && options.domain) {
     return fmt::format("expected no --domain for the claim {}, found one", name(*options.claim));
   }
-  if (options.within && !options.domain) {
+  if (options.claim == Claim::kVoronoi && !options.input.points) {
+    return "expected --points FILE with the sites beside --claim voronoi, found none: name the "
+           "output of qvoronoi o Fv for the cells";
+  }
+  if (options.box && options.claim != Claim::kVoronoi) {
+    return fmt::format("expected --claim voronoi beside --box, found {}",
+                       options.claim ? name(*options.claim) : "none");
+  }
+  if (options.within && !options.domain && options.claim != Claim::kVoronoi) {
     return "expected --domain FILE beside --within, found none";
   }
   if (options.said.is_given() && !options.domain) {
@@ -324,6 +341,11 @@ ExitCode run(CheckOptions& options) {
   options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {
     check_against_domain(options, output);
+  } else if (options.claim == Claim::kVoronoi) {
+    const VoronoiQuestion question{options.input, options.within, options.box, options.check};
+    for (const std::string& cells : options.meshes) {
+      check_voronoi(cells, question, *options.pictures, output);
+    }
   } else {
     for (const std::string& mesh : options.meshes) {
       options.memory ? check_part_after_part(mesh, options, output)
@@ -387,6 +409,8 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       ->option_text("FILE");
   add_picture_options(*command, options->picture);
   add_complex_options(*command, options->complex);
+  add_hull_options(*command, options->hull);
+  add_box_option(*command, options->box);
   command->add_flag("--neighbors", options->input.neighbors,
                     "Also judge the .neigh file beside each .ele");
   command

@@ -10,9 +10,11 @@
 #include <variant>
 
 #include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/convex_hull/judge_convex_hull.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/held_complex.hpp"
+#include "oracle/judge/surface/judge_surface.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -186,7 +188,10 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   }
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
-  if (domain == nullptr) {
+  const bool is_about_list = is_about_a_list(claim);
+  if (is_about_list) {
+    why_not_fast = "a claim about a list";
+  } else if (domain == nullptr) {
     OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
     if (verdict) return std::move(*verdict);
     why_not_fast = verdict.error();
@@ -194,7 +199,7 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
   if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
-  if (options.by == By::kLemma) {
+  if (options.by == By::kLemma && !is_about_list) {
     OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options, std::move(swept));
     if (verdict) return std::move(*verdict);
   }
@@ -212,12 +217,16 @@ Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Option
   return judge(claim, mesh, domain, options).value();
 }
 
-std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
+std::string fault_of_claim(Claim claim, const Mesh& mesh, const Options& options) {
+  if (claim == Claim::kConvexHull) return fault_of_hull(mesh);
+  if (claim == Claim::kSurfaceDelaunay) return fault_of_surface(mesh);
+  if (claim == Claim::kVoronoi) return "expected the cells of a Voronoi diagram, found a mesh";
+  if (claim != Claim::kComplex) return "";
   std::size_t size = mesh.simplices.columns();
   for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
     size = std::max(size, mesh.simplices[i].size());
   }
-  return fault_of_demands(demands, size, mesh.dimension());
+  return fault_of_demands(options.complex, size, mesh.dimension());
 }
 
 std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,

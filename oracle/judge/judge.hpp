@@ -36,8 +36,8 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,
 Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain = nullptr,
                      const Options& options = {});
 
-// Why what is demanded beside the claim `complex` makes no sense of the mesh, one line; empty if it does.
-std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
+// Why the claim, with what `options` demand beside it, makes no sense of the mesh, one line; empty if it does.
+std::string fault_of_claim(Claim claim, const Mesh& mesh, const Options& options);
 
 // What the fast engine finds out of the simplices for a claim about a domain of this kind; nothing if it
 // leaves the mesh undecided, or if `options` ask for more.

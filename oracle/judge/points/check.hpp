@@ -6,6 +6,7 @@
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/model/complex_demands.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/hull_demands.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -19,6 +20,7 @@ struct Options {
   By by = By::kLemma;
   bool oriented = false;            // demand one consistent orientation
   ComplexDemands complex = {};      // of the claim `complex`, instead of `oriented`
+  HullDemands hull = {};            // of the claim `convex-hull`
   std::size_t max_violations = 20;  // witnesses kept; 0: all
   // Threads of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine
   // has. The answer is the same for any number.
