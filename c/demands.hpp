@@ -1,7 +1,8 @@
 // What is demanded beside a claim, in words.
 #pragma once
 
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/claim.hpp"
+#include "oracle/model/options.hpp"
 
 namespace circumspect::c {
 

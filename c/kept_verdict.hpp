@@ -6,9 +6,10 @@
 
 #include <circumspect/circumspect.h>
 
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::c {
 

@@ -15,10 +15,12 @@
 
 #include "c/demands.hpp"
 #include "c/guard.hpp"
-#include "c/kept_verdict.hpp"
 #include "c/input.hpp"
+#include "c/kept_verdict.hpp"
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
@@ -122,9 +124,9 @@ std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const 
 Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const Domain& domain,
                       const check::Options& options) {
   const Rational distance = distance_of(within);
-  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  auto verdict = check::judge_within(claim, exact(mesh), domain, distance * distance, options,
-                                     known ? &*known : nullptr);
+  const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
+  auto verdict = check::judge_within(claim, asked.exact, domain, distance * distance, options,
+                                     asked.known());
   if (verdict) return std::move(*verdict);
   const auto& [reason, is_input_fault] = verdict.error();
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};

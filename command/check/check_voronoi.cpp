@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command/options/option_rows.hpp"
 #include "oracle/formats/voronoi_file.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
 #include "oracle/report/text.hpp"
@@ -57,21 +58,15 @@ std::optional<JudgedBox> box_of(const std::string& text) {
 }  // namespace
 
 void add_box_option(CLI::App& command, std::optional<JudgedBox>& box) {
-  const auto read = [&box](const CLI::results_t& texts) {
-    box = box_of(texts.front());
-    if (!box) {
-      throw CLI::ValidationError(
-          "--box", fmt::format("expected X0,Y0,X1,Y1 or X0,Y0,Z0,X1,Y1,Z1 with X0 < X1 and so on, "
-                               "found {}",
-                               texts.front()));
-    }
-    return true;
+  const auto read = [&box](const std::string& text) {
+    box = box_of(text);
+    if (box) return std::string();
+    return fmt::format(
+        "expected X0,Y0,X1,Y1 or X0,Y0,Z0,X1,Y1,Z1 with X0 < X1 and so on, found {}", text);
   };
-  command
-      .add_option("--box", read,
-                  "With the claim voronoi: compare cells within this box (default: that of the "
-                  "sites, enlarged on each side by half its longest edge)")
-      ->option_text("X0,Y0,X1,Y1");
+  add_options(command, {{"--box", "X0,Y0,X1,Y1", read_by(read),
+                         "With the claim voronoi: compare cells within this box (default: that of "
+                         "the sites, enlarged on each side by half its longest edge)"}});
 }
 
 void check_voronoi(const std::string& path, const VoronoiQuestion& question, Pictures& pictures,

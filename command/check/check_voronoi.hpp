@@ -9,7 +9,7 @@
 #include "command/input/input.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/voronoi_diagram.hpp"
 
 namespace circumspect::cli {

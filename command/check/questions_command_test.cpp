@@ -39,7 +39,7 @@ TEST_CASE("check: what is demanded of a hull needs that claim, and the claim no 
   SmallLists lists;
   const Run other = checked(lists.hull, "triangulation", {"--only-extreme"});
   CHECK(other.exit_code == 2);
-  CHECK(has(other.err, "expected --claim convex-hull beside --only-extreme, found triangulation"));
+  CHECK(has(other.err, "expected --claim convex-hull beside --only-extreme, found none"));
   CHECK(run({"check", lists.hull, "--all-boundary-points"}).exit_code == 2);
   for (const char* option : {"--neighbors", "--memory=1G"}) {
     const Run refused = checked(lists.hull, "convex-hull", {option});
@@ -56,7 +56,7 @@ TEST_CASE("check: a claim that makes no sense of a mesh is the input's fault, wi
   CHECK(has(edges.err, "expected triangles for the claim surface-delaunay, found simplices of 2"));
   const Run no_sites = checked(lists.hull, "voronoi");
   CHECK(no_sites.exit_code == 2);
-  CHECK(has(no_sites.err, "expected --points FILE with the sites beside --claim voronoi"));
+  CHECK(has(no_sites.err, "expected --points FILE beside --claim voronoi, found none: it has the sites"));
   const Run no_cells = checked(lists.hull, "voronoi", {"--points", lists.points});
   CHECK(no_cells.exit_code == 3);
   CHECK(has(no_cells.err, "house.ele:1: expected a line with the dimension, as qvoronoi o writes it"));

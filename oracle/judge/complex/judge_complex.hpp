@@ -4,6 +4,7 @@
 #include <string>
 
 #include "oracle/judge/complex/findings.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -12,6 +13,8 @@ namespace circumspect::check {
 // this dimension, one line; empty if they do.
 std::string fault_of_demands(const ComplexDemands& demands, std::size_t size,
                              std::size_t dimension);
+// The same of the simplices and the points of a mesh.
+std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
 
 // Adds what was found of simplices, which are to have `size` vertices: by themselves, in pairs, and
 // how they are listed.
