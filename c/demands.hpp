@@ -6,9 +6,9 @@
 
 namespace circumspect::c {
 
-// Sets what the words of `demands` ask for: names of options of the command without their dashes, separated by
-// blanks, as "manifold oriented=positive". Refuses a word that is none, or that asks nothing of the claim.
-// NULL asks for nothing.
+// Sets what the words of `demands` ask for: names of options of the command without their dashes,
+// separated by blanks, as "manifold oriented=positive". Refuses a word that is none, or that asks
+// nothing of the claim. NULL asks for nothing.
 void set_demands(const char* demands, Claim claim, check::Options& options);
 
 }  // namespace circumspect::c

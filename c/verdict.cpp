@@ -125,8 +125,8 @@ Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const D
                       const check::Options& options) {
   const Rational distance = distance_of(within);
   const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
-  auto verdict = check::judge_within(claim, asked.exact, domain, distance * distance, options,
-                                     asked.known());
+  auto verdict =
+      check::judge_within(claim, asked.exact, domain, distance * distance, options, asked.known());
   if (verdict) return std::move(*verdict);
   const auto& [reason, is_input_fault] = verdict.error();
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
@@ -170,11 +170,11 @@ int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; 
 circumspect_options asked_of(const circumspect_options* options) {
   const circumspect_options defaults = CIRCUMSPECT_OPTIONS;
   if (options == nullptr) return defaults;
-  return of_any_version<circumspect_options>(*options, defaults,
-                                             {offsetof(circumspect_options, with_pictures),
-                                              offsetof(circumspect_options, merge_equal_points),
-                                              offsetof(circumspect_options, demands)},
-                                             "CIRCUMSPECT_OPTIONS");
+  return of_any_version<circumspect_options>(
+      *options, defaults,
+      {offsetof(circumspect_options, with_pictures),
+       offsetof(circumspect_options, merge_equal_points), offsetof(circumspect_options, demands)},
+      "CIRCUMSPECT_OPTIONS");
 }
 
 check::Options options_of(const circumspect_options& asked) {

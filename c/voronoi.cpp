@@ -76,15 +76,13 @@ circumspect_status circumspect_check_voronoi(const circumspect_voronoi* diagram,
         *c::required(diagram, "a diagram"), CIRCUMSPECT_VORONOI, {}, "CIRCUMSPECT_VORONOI");
     const circumspect_options asked = c::asked_of(options);
     const check::Options own = c::options_of(asked);
-    const Rational distance =
-        asked.within == nullptr ? Rational(0) : c::distance_of(asked.within);
+    const Rational distance = asked.within == nullptr ? Rational(0) : c::distance_of(asked.within);
     const VoronoiDiagram listed = c::diagram_of(given);
     const std::optional<JudgedBox> box = c::box_of(given);
     const std::string fault = check::fault_of_diagram(listed, box);
     if (!fault.empty()) c::refuse_input(fault);
-    const Verdict found =
-        check::judge_voronoi(listed, box, distance * distance,
-                             own.by == check::By::kDefinition, own.max_violations);
+    const Verdict found = check::judge_voronoi(
+        listed, box, distance * distance, own.by == check::By::kDefinition, own.max_violations);
     *verdict = c::kept_verdict(found, in_rows({listed.sites, {}}), nullptr, asked, own.by, {});
   });
 }

@@ -82,11 +82,9 @@ inline Mesh read_mesh_of(const Row& row) {
   return std::move(file->mesh);
 }
 
-// Is it of a mesh by itself, which need not be one of full dimension? Its points may be equal, which
-// they may not in an exact mesh.
-inline bool is_of_a_mesh_alone(const Row& row) {
-  return is_about_a_list(row.claim);
-}
+// Is it of a mesh by itself, which need not be one of full dimension? Its points may be equal,
+// which they may not in an exact mesh.
+inline bool is_of_a_mesh_alone(const Row& row) { return is_about_a_list(row.claim); }
 
 inline ExactMesh mesh_of(const Row& row) { return exact(read_mesh_of(row)); }
 

@@ -12,8 +12,8 @@ namespace circumspect::corpus {
 
 inline const std::string kVoronoiFolder = CIRCUMSPECT_CORPUS_DIR "/voronoi/";
 
-// A diagram in qvoronoi's form, its sites, and the rules that it breaks. If corners were rounded, it is
-// judged within 1e-12.
+// A diagram in qvoronoi's form, its sites, and the rules that it breaks. If corners were rounded,
+// it is judged within 1e-12.
 struct VoronoiRow {
   std::string cells, sites;
   bool is_rounded = false;

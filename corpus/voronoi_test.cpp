@@ -14,8 +14,7 @@ namespace {
 constexpr std::size_t kTooManyByDefinition = 20;
 
 VoronoiDiagram diagram_of(const VoronoiRow& row) {
-  const auto points =
-      formats::read_points(kVoronoiFolder + row.sites, NumberReading::kDouble);
+  const auto points = formats::read_points(kVoronoiFolder + row.sites, NumberReading::kDouble);
   const auto source = formats::load(kVoronoiFolder + row.cells);
   REQUIRE(points);
   REQUIRE(source);
@@ -35,8 +34,7 @@ TEST_CASE("each diagram breaks the rule that its table names, or holds") {
     for (const bool definition : {false, true}) {
       if (definition && diagram.sites.size() > kTooManyByDefinition) continue;
       by_definition += definition ? 1 : 0;
-      const Verdict verdict =
-          check::judge_voronoi(diagram, {}, distance * distance, definition, 1);
+      const Verdict verdict = check::judge_voronoi(diagram, {}, distance * distance, definition, 1);
       CHECK(broken_rules(verdict) == row.broken);
     }
   }

@@ -45,6 +45,7 @@ lines::Simplices space(const lines::Points& points) {
 }
 
 int main() {
-  return lines::serve(
-      [](const lines::Points& points) { return points[0].size() == 2 ? plane(points) : space(points); });
+  return lines::serve([](const lines::Points& points) {
+    return points[0].size() == 2 ? plane(points) : space(points);
+  });
 }

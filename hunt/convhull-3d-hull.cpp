@@ -1,4 +1,5 @@
-// convhull_3d_build: the facets of the hull of points in space, which it takes as floats; the points are such.
+// convhull_3d_build: the facets of the hull of points in space, which it takes as floats; the
+// points are such.
 #include <cstdlib>
 
 #define CONVHULL_3D_ENABLE

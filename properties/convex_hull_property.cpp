@@ -1,5 +1,5 @@
-// The claim `convex-hull`: by lemma and by definition the same is said, word for word, of hulls with
-// and without the points of their boundary, and of those in which faults were planted. Proof:
+// The claim `convex-hull`: by lemma and by definition the same is said, word for word, of hulls
+// with and without the points of their boundary, and of those in which faults were planted. Proof:
 // docs/theory/questions.md.
 #include <algorithm>
 #include <map>
@@ -40,8 +40,7 @@ ListedHull drawn_hull(Dice& dice, std::size_t d) {
   const std::size_t count = d + 1 + dice.below(5);
   while (some.size() < count) some.insert(small_point(dice, d));
   ListedHull hull{{some.begin(), some.end()}, {}};
-  hull.facets =
-      definition::open_facets(delaunay::bowyer_watson(PointSet(hull.points)).simplices());
+  hull.facets = definition::open_facets(delaunay::bowyer_watson(PointSet(hull.points)).simplices());
   for (std::size_t more = dice.below(4); more > 0; --more) {
     const Point point = dice.below(2) == 0
                             ? barycentre({hull.points[0], hull.points[dice.below(count)]})
@@ -155,10 +154,10 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     lift(dice, hull);
     const ExactMesh listed{PointSet(hull.points), hull.facets};
     if (listed.points.dimension() < 1) return;
-    const check::Options options{.oriented = dice.below(4) == 0,
-                                 .hull = {.all_boundary_points = dice.below(3) == 0,
-                                          .only_extreme = dice.below(3) == 0},
-                                 .max_violations = 0};
+    const check::Options options{
+        .oriented = dice.below(4) == 0,
+        .hull = {.all_boundary_points = dice.below(3) == 0, .only_extreme = dice.below(3) == 0},
+        .max_violations = 0};
     const Mesh mesh = in_rows(listed);
     const auto judged = [&](bool by_definition) {
       return check::judge_convex_hull(listed, options.hull, options.oriented, by_definition, 0);

@@ -1,6 +1,6 @@
 // The claim `surface-delaunay`: by lemma and by definition the same is said, word for word, of
-// triangles in the plane and in space; and in the plane, edges in the hull of all points aside, it is
-// the claim `delaunay`. Proof: docs/theory/questions.md.
+// triangles in the plane and in space; and of triangulations of the plane it is the claim
+// `delaunay`. Proof: docs/theory/questions.md.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -38,7 +38,7 @@ PointSet small_points(Dice& dice, std::size_t d) {
 ExactMesh drawn_surface(Dice& dice, std::size_t d) {
   ExactMesh mesh{small_points(dice, d), {}};
   const std::vector<Simplex> simplices = delaunay::bowyer_watson(mesh.points).simplices();
-  mesh.simplices = d == 2                ? simplices
+  mesh.simplices = d == 2               ? simplices
                    : dice.below(3) != 0 ? definition::open_facets(simplices)
                                         : definition::faces_of(simplices, 3);
   std::erase_if(mesh.simplices, [](const Simplex& simplex) { return simplex.size() != 3; });

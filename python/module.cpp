@@ -251,8 +251,8 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
   return parts_of(std::move(own), brief);
 }
 
-// What `check` returns, of cells: rows of sites, of vertices, of pairs of sites; starts and corners of the
-// cells; the two corners of a box, or nothing.
+// What `check` returns, of cells: rows of sites, of vertices, of pairs of sites; starts and corners
+// of the cells; the two corners of a box, or nothing.
 py::tuple check_voronoi(std::int64_t dimension, const Doubles& sites, const Doubles& vertices,
                         const Indices& cell_starts, const Indices& corners, const Indices& ridges,
                         const std::optional<Doubles>& box, const std::string& within,

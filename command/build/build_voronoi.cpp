@@ -72,8 +72,8 @@ std::string row(const std::vector<std::size_t>& numbers) {
 
 // As `qvoronoi o Fv` writes it.
 std::string text(const Dual& dual, std::size_t dimension) {
-  std::string out = fmt::format("{}\n{} {} 1\n", dimension, dual.vertices.size() + 1,
-                                dual.cells.size());
+  std::string out =
+      fmt::format("{}\n{} {} 1\n", dimension, dual.vertices.size() + 1, dual.cells.size());
   out += fmt::format("{}\n", fmt::join(std::vector<std::string>(dimension, "-10.101"), " "));
   for (const Point& vertex : dual.vertices) {
     std::vector<std::string> coordinates;
@@ -139,8 +139,8 @@ ExitCode run(const VoronoiOptions& options) {
 
 void add_build_voronoi(CLI::App& build, ExitCode& exit_code) {
   const auto options = std::make_shared<VoronoiOptions>();
-  CLI::App* command = build.add_subcommand(
-      "voronoi", "The Voronoi diagram: the dual of the Delaunay subdivision");
+  CLI::App* command =
+      build.add_subcommand("voronoi", "The Voronoi diagram: the dual of the Delaunay subdivision");
   command->footer(
       "Example:\n"
       "  circumspect build voronoi points.node\n"

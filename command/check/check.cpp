@@ -91,8 +91,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     return;
   }
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
-  const auto verdict =
-      judge_loaded(claim, *loaded, options.input.duplicates, options.check);
+  const auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, options.check);
   output.notes(loaded->notes);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());

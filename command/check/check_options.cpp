@@ -135,11 +135,12 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   add_picture_options(command, options.picture);
   add_complex_options(command, options.complex);
   HullDemands& hull = options.check.hull;
-  add_options(command, {{"--all-boundary-points", "", flag(hull.all_boundary_points),
-                         "With the claim convex-hull: demand that every point in the boundary of "
-                         "the hull is a vertex"},
-                        {"--only-extreme", "", flag(hull.only_extreme),
-                         "With the claim convex-hull: demand that every vertex is an extreme point"}});
+  add_options(command,
+              {{"--all-boundary-points", "", flag(hull.all_boundary_points),
+                "With the claim convex-hull: demand that every point in the boundary of "
+                "the hull is a vertex"},
+               {"--only-extreme", "", flag(hull.only_extreme),
+                "With the claim convex-hull: demand that every vertex is an extreme point"}});
   add_box_option(command, options.box);
   add_options(command, {{"--neighbors", "", flag(options.input.neighbors),
                          "Also judge the .neigh file beside each .ele"},

@@ -61,8 +61,8 @@ void add_box_option(CLI::App& command, std::optional<JudgedBox>& box) {
   const auto read = [&box](const std::string& text) {
     box = box_of(text);
     if (box) return std::string();
-    return fmt::format(
-        "expected X0,Y0,X1,Y1 or X0,Y0,Z0,X1,Y1,Z1 with X0 < X1 and so on, found {}", text);
+    return fmt::format("expected X0,Y0,X1,Y1 or X0,Y0,Z0,X1,Y1,Z1 with X0 < X1 and so on, found {}",
+                       text);
   };
   add_options(command, {{"--box", "X0,Y0,X1,Y1", read_by(read),
                          "With the claim voronoi: compare cells within this box (default: that of "
@@ -93,8 +93,7 @@ void check_voronoi(const std::string& path, const VoronoiQuestion& question, Pic
     output.text(report::verdict_line(verdict, loaded->sites, path) + "\n");
   }
   if (!output.wants_json() && !pictures.are_wanted()) return;
-  report::Json result =
-      report::verdict(verdict, loaded->sites, path, question.check.by);
+  report::Json result = report::verdict(verdict, loaded->sites, path, question.check.by);
   if (pictures.are_wanted()) {
     pictures.add(verdict, loaded->sites, path, result, nullptr, {}, output);
   }

@@ -12,7 +12,8 @@ struct SmallLists {
   std::string points =
       folder.write("house.node", "6 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 2 0\n5 1 2\n");
   std::string hull = folder.write("house.ele", "4 2 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n");
-  std::string flat_points = folder.write("cube.node", "4 3 0 0\n0 0 0 0\n1 4 0 0\n2 2 1 0\n3 2 0 1\n");
+  std::string flat_points =
+      folder.write("cube.node", "4 3 0 0\n0 0 0 0\n1 4 0 0\n2 2 1 0\n3 2 0 1\n");
   std::string wide = folder.write("cube.ele", "2 3 0\n0 0 1 2\n1 1 0 3\n");
 };
 
@@ -56,10 +57,12 @@ TEST_CASE("check: a claim that makes no sense of a mesh is the input's fault, wi
   CHECK(has(edges.err, "expected triangles for the claim surface-delaunay, found simplices of 2"));
   const Run no_sites = checked(lists.hull, "voronoi");
   CHECK(no_sites.exit_code == 2);
-  CHECK(has(no_sites.err, "expected --points FILE beside --claim voronoi, found none: it has the sites"));
+  CHECK(has(no_sites.err,
+            "expected --points FILE beside --claim voronoi, found none: it has the sites"));
   const Run no_cells = checked(lists.hull, "voronoi", {"--points", lists.points});
   CHECK(no_cells.exit_code == 3);
-  CHECK(has(no_cells.err, "house.ele:1: expected a line with the dimension, as qvoronoi o writes it"));
+  CHECK(has(no_cells.err,
+            "house.ele:1: expected a line with the dimension, as qvoronoi o writes it"));
   CHECK(run({"campaign", "--claim", "voronoi", "--", "true", "{points}"}).exit_code == 2);
 }
 
@@ -94,7 +97,8 @@ TEST_CASE("build voronoi: what it makes is what check reads, and holds within it
 
 TEST_CASE("check --claim voronoi: the box and the distance") {
   SmallLists lists;
-  const std::string cells = lists.folder.write("none", "2\n1 6 1\n-10.101 -10.101\n0\n0\n0\n0\n0\n0\n");
+  const std::string cells =
+      lists.folder.write("none", "2\n1 6 1\n-10.101 -10.101\n0\n0\n0\n0\n0\n0\n");
   const Run missing = checked(cells, "voronoi", {"--points", lists.points});
   CHECK(missing.exit_code == 1);
   CHECK(has(missing.out, "voronoi.cell-missing 6 vertex 0"));

@@ -8,10 +8,10 @@ namespace {
 TEST_CASE("excess in degrees: angles with rational degrees, and their sums, exactly") {
   const Rational half(1, 2), quarter(1, 4), three_quarters(3, 4);
   CHECK(excess_in_degrees(0, 0) == "0");
-  CHECK(excess_in_degrees(-1, 0) == "90");                    // 180 + 90
-  CHECK(excess_in_degrees(-half, -half) == "90");             // 135 + 135
+  CHECK(excess_in_degrees(-1, 0) == "90");                      // 180 + 90
+  CHECK(excess_in_degrees(-half, -half) == "90");               // 135 + 135
   CHECK(excess_in_degrees(-quarter, -three_quarters) == "90");  // 120 + 150
-  CHECK(excess_in_degrees(-quarter, half) == "-15");          // 120 + 45
+  CHECK(excess_in_degrees(-quarter, half) == "-15");            // 120 + 45
   CHECK(excess_in_degrees(half, -half) == "0");
   CHECK(excess_in_degrees(1, 1) == "-180");
   CHECK(excess_in_degrees(-1, -1) == "180");

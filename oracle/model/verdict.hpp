@@ -47,8 +47,8 @@ struct Witness {
   std::vector<Vertex> vertices = {};    // the vertices that decide
   std::vector<NamedValue> values = {};  // the exact values that decide
   std::vector<RoundedValue> rounded = {};
-  std::optional<Ball> ball = {};        // the circumball of the first simplex
-  std::optional<Point> point = {};      // a point that decides without being a vertex
+  std::optional<Ball> ball = {};    // the circumball of the first simplex
+  std::optional<Point> point = {};  // a point that decides without being a vertex
   // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a
   // polygon by its place in the domain's list; a face of its convex hull by three vertices that
   // span it.

@@ -82,9 +82,8 @@ Json surface_facts(const SurfaceFacts& facts) {
 }
 
 Json voronoi_facts(const VoronoiFacts& facts, const Mesh& sites) {
-  Json object = {
-      {"squared_distance", value(facts.squared_distance)},
-      {"distance_rounded_up", square_root_rounded_up(facts.squared_distance)}};
+  Json object = {{"squared_distance", value(facts.squared_distance)},
+                 {"distance_rounded_up", square_root_rounded_up(facts.squared_distance)}};
   if (facts.site) object["site"] = sites.label(*facts.site);
   return object;
 }

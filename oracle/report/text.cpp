@@ -149,8 +149,7 @@ std::string surface_text(const SurfaceFacts& facts) {
   std::string text = fmt::format(" {} {}", counted(facts.interior_edges, "interior-edge"),
                                  counted(facts.boundary_edges, "boundary-edge"));
   if (facts.edges_of_many > 0) {
-    text += fmt::format(" {} of more than two triangles",
-                        counted(facts.edges_of_many, "edge"));
+    text += fmt::format(" {} of more than two triangles", counted(facts.edges_of_many, "edge"));
   }
   return text;
 }

@@ -67,9 +67,9 @@ class HullJudge {
 
  private:
   void find_orientations(Findings& found) const {
-    found.inconsistent = by_definition_ ? definition::inconsistent_facets(listed_.simplices)
-                                        : inconsistent_facets(listed_.simplices,
-                                                              facet_uses(listed_.simplices));
+    found.inconsistent =
+        by_definition_ ? definition::inconsistent_facets(listed_.simplices)
+                       : inconsistent_facets(listed_.simplices, facet_uses(listed_.simplices));
   }
 
   void find_pairs(Findings& found) const {
@@ -103,8 +103,8 @@ class HullJudge {
     if (listed_.simplices.empty()) verdict_.add(Rule::kHullUncovered, {});
     for_each_facet(uses, [&](std::span<const FacetUse> group) {
       if (group.size() != 1) return;
-      verdict_.add(Rule::kHullUncovered, {.simplices = {listed_.simplices[group[0].simplex]},
-                                          .face = group[0].facet});
+      verdict_.add(Rule::kHullUncovered,
+                   {.simplices = {listed_.simplices[group[0].simplex]}, .face = group[0].facet});
     });
   }
 
@@ -128,8 +128,8 @@ class HullJudge {
       }
     }
     if (!demands.only_extreme) return;
-    for (const Vertex v : held != nullptr ? not_extreme(points_, listed_.simplices)
-                                          : not_extreme_by_definition()) {
+    for (const Vertex v :
+         held != nullptr ? not_extreme(points_, listed_.simplices) : not_extreme_by_definition()) {
       verdict_.add(Rule::kVertexNotExtreme, {.vertices = {v}});
     }
   }

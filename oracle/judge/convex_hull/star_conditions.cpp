@@ -122,7 +122,7 @@ class SeenFromInside {
   Configuration points_;
   Vertex inside_;
   std::vector<bool> is_vertex_;
-  std::vector<int> inner_;  // the side of each facet on which o is
+  std::vector<int> inner_;           // the side of each facet on which o is
   std::vector<std::size_t> across_;  // across the ridge opposite each vertex of each facet
 };
 

@@ -94,8 +94,7 @@ std::vector<Halfspace> halfspaces_of(const JudgedBox& box) {
 }
 
 Halfspace nearer_to(const PointSet& sites, Vertex i, Vertex j) {
-  return {sites[j] - sites[i],
-          Rational((squared_length(sites[j]) - squared_length(sites[i])) / 2)};
+  return {sites[j] - sites[i], Rational((squared_length(sites[j]) - squared_length(sites[i])) / 2)};
 }
 
 std::vector<Point> exact_corners(const PointSet& sites, Vertex site, const JudgedBox& box) {

@@ -52,10 +52,9 @@ FarthestCorner farthest_corner(const std::vector<Point>& listed, const std::vect
   for (const bool is_listed : {true, false}) {
     for (const Point& corner : is_listed ? listed : exact) {
       const Rational squared = squared_distance(corner, is_listed ? exact : listed);
-      const bool is_farther =
-          !farthest || squared > farthest->squared_distance ||
-          (squared == farthest->squared_distance && is_listed == farthest->is_listed &&
-           corner < farthest->corner);
+      const bool is_farther = !farthest || squared > farthest->squared_distance ||
+                              (squared == farthest->squared_distance &&
+                               is_listed == farthest->is_listed && corner < farthest->corner);
       if (is_farther) farthest = FarthestCorner{squared, corner, is_listed};
     }
   }

@@ -31,7 +31,9 @@ class VoronoiJudge {
     for (const Vertex v : diagram_.cells[static_cast<std::size_t>(site)].corners) {
       if (v >= 0 && v < std::ssize(diagram_.vertices)) continue;
       verdict_.add(Rule::kVoronoiUnknownVertex,
-                   {.vertices = {site}, .values = {{"index among the finite vertices, from 0", Rational(static_cast<long>(v))}}});
+                   {.vertices = {site},
+                    .values = {{"index among the finite vertices, from 0",
+                                Rational(static_cast<long>(v))}}});
       return false;
     }
     return true;

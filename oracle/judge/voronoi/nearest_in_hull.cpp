@@ -25,8 +25,7 @@ class LeastLength {
       const auto is_before = [this](const Point& a, const Point& b) {
         return inner_product(nearest_, a) < inner_product(nearest_, b);
       };
-      const Point& first =
-          *std::min_element(differences_.begin(), differences_.end(), is_before);
+      const Point& first = *std::min_element(differences_.begin(), differences_.end(), is_before);
       const Rational squared = squared_length(nearest_);
       if (inner_product(nearest_, first) >= squared) return squared;
       corral_.push_back(first);

@@ -22,17 +22,15 @@ Rational reach_of_some(const PointSet& sites, const JudgedBox& box) {
   Rational longest = 0;
   for (const Rational& edge : box.high - box.low) longest = std::max(longest, edge);
   const auto d = static_cast<double>(sites.ambient_dimension());
-  const double a_side = std::max(1.0, std::floor(std::pow(static_cast<double>(sites.size()), 1 / d)));
+  const double a_side =
+      std::max(1.0, std::floor(std::pow(static_cast<double>(sites.size()), 1 / d)));
   return longest / Rational(static_cast<long>(a_side));
 }
 
 }  // namespace
 
 SitesAround::SitesAround(const PointSet& sites, const JudgedBox& box)
-    : sites_(sites),
-      box_(box),
-      index_(boxes_of(sites)),
-      first_reach_(reach_of_some(sites, box)) {}
+    : sites_(sites), box_(box), index_(boxes_of(sites)), first_reach_(reach_of_some(sites, box)) {}
 
 std::vector<Point> SitesAround::corners_of_cell(Vertex site) const {
   ClippedCell cell(box_);
