@@ -19,20 +19,28 @@ bool is_in(const Halfspace& half, const Point& point) {
 }
 
 // What spans the directions that are in all of these halfspaces, whose offsets are 0: those on the
-// boundaries of one or two, and those that lead straight away from one.
+// boundaries of one or two. If there is a line among the directions, there are also those that lead
+// along an axis, and straight away from a boundary.
 Points spanning_directions(const std::vector<Point>& normals, std::size_t d) {
+  Points from_origin = normals;
+  from_origin.emplace_back(d, 0);
+  const bool may_have_line = affine_hull(from_origin).dimension < static_cast<int>(d);
   Points candidates;
   for (std::size_t axis = 0; axis < d; ++axis) candidates.push_back(unit(d, axis, 1));
   for (const Point& a : normals) {
     candidates.push_back(a);
-    if (d == 2) candidates.push_back({a[1], -a[0]});
     for (std::size_t axis = 0; d == 3 && axis < d; ++axis) {
       candidates.push_back(cross_product(a, unit(d, axis, 1)));
     }
     for (const Point& b : normals) {
-      if (d != 3) continue;
-      candidates.push_back(cross_product(a, b));
-      candidates.push_back(cross_product(a, candidates.back()));
+      if (d == 3) candidates.push_back(cross_product(a, cross_product(a, b)));
+    }
+  }
+  if (!may_have_line) candidates.clear();
+  for (const Point& a : normals) {
+    if (d == 2) candidates.push_back({a[1], -a[0]});
+    for (const Point& b : normals) {
+      if (d == 3) candidates.push_back(cross_product(a, b));
     }
   }
   std::set<Point> found;

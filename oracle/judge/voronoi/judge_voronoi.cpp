@@ -4,6 +4,7 @@
 
 #include "oracle/judge/definition/voronoi.hpp"
 #include "oracle/judge/voronoi/clipped_cell.hpp"
+#include "oracle/judge/voronoi/listed_cell.hpp"
 #include "oracle/judge/voronoi/nearest_in_hull.hpp"
 #include "oracle/judge/voronoi/sites_around.hpp"
 
@@ -43,7 +44,9 @@ class VoronoiJudge {
     const std::vector<Point> exact = by_definition_
                                          ? definition::exact_corners(diagram_.sites, site, box_)
                                          : around_->corners_of_cell(site);
-    const std::vector<Point> listed = definition::listed_corners(diagram_, site, box_);
+    const std::vector<Point> listed = by_definition_
+                                          ? definition::listed_corners(diagram_, site, box_)
+                                          : corners_of_listed(diagram_, site, box_);
     if (listed.empty() && exact.empty()) return;
     if (listed.empty()) {
       verdict_.add(Rule::kCellMissing, {.vertices = {site}, .point = exact.front()});
