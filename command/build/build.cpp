@@ -300,6 +300,7 @@ void add_build(CLI::App& app, ExitCode& exit_code) {
   add_triangulation(*build, "lexicographic",
                     "The lexicographic triangulation, which is not Delaunay in general", exit_code);
   add_build_subdivision(*build, exit_code);
+  add_build_voronoi(*build, exit_code);
   add_build_all_triangulations(*build, exit_code);
   add_build_constrained(*build, exit_code);
 }

@@ -123,10 +123,12 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  return first_fault({{options.asked == Claim::kComplex,
-                       "expected a claim of which something is proved, found complex"},
-                      domain_options_fault(options.said, options.asked, options.domain.has_value()),
-                      certificate_fault(options.said)});
+  const bool is_unproved = options.asked && is_about_a_list(*options.asked);
+  return first_fault(
+      {{is_unproved, fmt::format("expected a claim of which something is proved, found {}",
+                                 is_unproved ? name(*options.asked) : "")},
+       domain_options_fault(options.said, options.asked, options.domain.has_value()),
+       certificate_fault(options.said)});
 }
 
 ExitCode run(CertifyOptions& options) {

@@ -8,6 +8,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/check_options.hpp"
+#include "command/check/check_voronoi.hpp"
 #include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
@@ -19,7 +20,7 @@
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/judge/cause/causes.hpp"
-#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -104,16 +105,14 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  if (options.claim == Claim::kComplex) {
-    const std::string fault = check::fault_of_demands(loaded->mesh, options.check.complex);
-    if (!fault.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
-      return;
-    }
+  const Claim claim = options.claim.value_or(Claim::kDelaunay);
+  const std::string fault = check::fault_of_claim(claim, loaded->mesh, options.check);
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
+    return;
   }
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
-  auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
-                              options.input.duplicates, options.check);
+  auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, options.check);
   output.notes(loaded->notes);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
@@ -247,6 +246,11 @@ ExitCode run(CheckOptions& options) {
   options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {
     check_against_domain(options, output);
+  } else if (options.claim == Claim::kVoronoi) {
+    const VoronoiQuestion question{options.input, options.within, options.box, options.check};
+    for (const std::string& cells : options.meshes) {
+      check_voronoi(cells, question, *options.pictures, output);
+    }
   } else {
     for (const std::string& mesh : options.meshes) {
       options.memory ? check_part_after_part(mesh, options, output)

@@ -140,7 +140,10 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   }
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
-  if (domain == nullptr) {
+  const bool is_about_list = is_about_a_list(claim);
+  if (is_about_list) {
+    why_not_fast = "a claim about a list";
+  } else if (domain == nullptr) {
     OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
     if (verdict) return std::move(*verdict);
     why_not_fast = verdict.error();
@@ -148,7 +151,7 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
   if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
-  if (options.by == By::kLemma) {
+  if (options.by == By::kLemma && !is_about_list) {
     OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options, std::move(swept));
     if (verdict) return std::move(*verdict);
   }

@@ -23,6 +23,12 @@ struct NamedValue {
   Rational value;
 };
 
+// A value that is not rational, such as an angle: the double next to it, as text.
+struct RoundedValue {
+  std::string name;
+  std::string decimal;
+};
+
 // The vertex of a mesh that is nearest to where one was expected: far below the size of the mesh,
 // the distance tells rounding from a fault.
 struct NearestVertex {
@@ -39,8 +45,9 @@ struct Witness {
   std::optional<Simplex> face = {};     // the facet or ridge in question
   std::vector<Vertex> vertices = {};    // the vertices that decide
   std::vector<NamedValue> values = {};  // the exact values that decide
-  std::optional<Ball> ball = {};        // the circumball of the first simplex
-  std::optional<Point> point = {};      // a point that decides without being a vertex
+  std::vector<RoundedValue> rounded = {};
+  std::optional<Ball> ball = {};    // the circumball of the first simplex
+  std::optional<Point> point = {};  // a point that decides without being a vertex
   // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a
   // polygon by its place in the domain's list; a face of its convex hull by three vertices that
   // span it.
@@ -132,6 +139,17 @@ struct ComplexFacts {
   std::size_t positive = 0, negative = 0;
 };
 
+// For the claim `surface-delaunay`: how many edges are in two triangles, in one, and in more.
+struct SurfaceFacts {
+  std::size_t interior_edges = 0, boundary_edges = 0, edges_of_many = 0;
+};
+
+// For the claim `voronoi`: how far the farthest cell is from the exact one, and its site.
+struct VoronoiFacts {
+  Rational squared_distance = 0;
+  std::optional<Vertex> site = {};  // none if all are exact
+};
+
 class Verdict {
  public:
   Verdict(Claim claim, std::size_t max_violations)
@@ -181,6 +199,8 @@ class Verdict {
   std::optional<Rational> beyond = {};
 
   std::optional<ComplexFacts> complex = {};
+  std::optional<SurfaceFacts> surface = {};
+  std::optional<VoronoiFacts> voronoi = {};
 
   // The most that one of them explains comes first.
   std::vector<Cause> causes = {};

@@ -89,6 +89,19 @@ Json causes(const std::vector<Cause>& causes) {
   return array;
 }
 
+Json surface_facts(const SurfaceFacts& facts) {
+  return {{"interior_edges", facts.interior_edges},
+          {"boundary_edges", facts.boundary_edges},
+          {"edges_of_more_than_two", facts.edges_of_many}};
+}
+
+Json voronoi_facts(const VoronoiFacts& facts, const Mesh& sites) {
+  Json object = {{"squared_distance", value(facts.squared_distance)},
+                 {"distance_rounded_up", square_root_rounded_up(facts.squared_distance)}};
+  if (facts.site) object["site"] = sites.label(*facts.site);
+  return object;
+}
+
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
   object.update(witness(broken.witness, mesh, domain));
@@ -106,6 +119,9 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   if (witness.ball) object["ball"] = ball(*witness.ball);
   Json values = Json::object();
   for (const NamedValue& exact : witness.values) values[exact.name] = value(exact.value);
+  for (const RoundedValue& rounded : witness.rounded) {
+    values[rounded.name] = {{"decimal", rounded.decimal}};
+  }
   object["values"] = values;
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
@@ -181,6 +197,8 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   }
   if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
   if (verdict.complex) object["complex"] = complex_facts(*verdict.complex);
+  if (verdict.voronoi) object["voronoi"] = voronoi_facts(*verdict.voronoi, mesh);
+  if (verdict.surface) object["surface"] = surface_facts(*verdict.surface);
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
   Json tallies = Json::array();

@@ -93,6 +93,9 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   for (const NamedValue& value : witness.values) {
     fmt::format_to(to, "  {}: {}\n", value.name, value_text(value.value));
   }
+  for (const RoundedValue& value : witness.rounded) {
+    fmt::format_to(to, "  {} ~ {}\n", value.name, value.decimal);
+  }
 }
 
 std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
@@ -141,20 +144,46 @@ std::string complex_text(const ComplexFacts& facts) {
   return text;
 }
 
+// " 12 interior-edges 3 boundary-edges", and of more than two triangles, if there are any
+std::string surface_text(const SurfaceFacts& facts) {
+  std::string text = fmt::format(" {} {}", counted(facts.interior_edges, "interior-edge"),
+                                 counted(facts.boundary_edges, "boundary-edge"));
+  if (facts.edges_of_many > 0) {
+    text += fmt::format(" {} of more than two triangles", counted(facts.edges_of_many, "edge"));
+  }
+  return text;
+}
+
+// " within ~ 1.2e-16 at site 7": the least distance within which all cells are the exact ones
+std::string voronoi_text(const VoronoiFacts& facts, const Mesh& sites) {
+  if (!facts.site) return " within 0";
+  return fmt::format(" within ~ {} at site {}", square_root_rounded_up(facts.squared_distance),
+                     sites.label(*facts.site));
+}
+
 }  // namespace
 
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain) {
+  if (verdict.holds() && verdict.voronoi) {
+    return fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
+                       on_one_line(mesh_name), counted(verdict.points, "site"),
+                       counted(verdict.simplices, "cell")) +
+           voronoi_text(*verdict.voronoi, mesh);
+  }
   if (verdict.holds()) {
     // A mesh of a domain in space counts tetrahedra, even if it has none and all its points are in
     // a plane.
     const int dimension = domain != nullptr ? static_cast<int>(domain->complex.ambient_dimension())
                           : verdict.complex ? verdict.complex->dimension
-                                            : verdict.dimension;
+                          : verdict.surface ? 2
+                          : verdict.claim() == Claim::kConvexHull ? verdict.dimension - 1
+                                                                  : verdict.dimension;
     std::string line = fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
                                    on_one_line(mesh_name), counted(verdict.points, "point"),
                                    counted_simplices(verdict.simplices, dimension));
     if (verdict.complex) line += complex_text(*verdict.complex);
+    if (verdict.surface) line += surface_text(*verdict.surface);
     if (verdict.dangling > 0) line += fmt::format(" {} dangling", verdict.dangling);
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
     if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
@@ -174,6 +203,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
     if (first) line += first_witness(verdict, mesh, domain, rule);
     first = false;
   }
+  if (verdict.voronoi && verdict.voronoi->site) line += voronoi_text(*verdict.voronoi, mesh);
   return line + moved_text(verdict);
 }
 
