@@ -66,7 +66,8 @@ bool MeshFaces::has_edge(Vertex a, Vertex b) const {
 std::span<const std::pair<Vertex, Vertex>> MeshFaces::edges_at(Vertex v) const {
   const auto first = std::lower_bound(edges_.begin(), edges_.end(), std::pair{v, Vertex{0}});
   const auto last = std::lower_bound(first, edges_.end(), std::pair{v + 1, Vertex{0}});
-  return {first, last};
+  return std::span(edges_).subspan(static_cast<std::size_t>(first - edges_.begin()),
+                                   static_cast<std::size_t>(last - first));
 }
 
 // ---- Images ----
@@ -89,8 +90,8 @@ Images::Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, 
 const ImageOr<Vertex>& Images::vertex(std::size_t v, const Rational& squared_reach) const {
   auto& known = vertices_[v];
   if (!known || !known->is_about(squared_reach)) {
-    known.emplace(found_vertex(v, squared_reach), squared_reach,
-                  next_change({0, v}, squared_reach));
+    known = Known<Vertex>{found_vertex(v, squared_reach), squared_reach,
+                          next_change({0, v}, squared_reach)};
   }
   return known->image;
 }
@@ -99,8 +100,8 @@ const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
                                                  const Rational& squared_reach) const {
   auto& known = paths_[segment];
   if (!known || !known->is_about(squared_reach)) {
-    known.emplace(found_path(segment, squared_reach), squared_reach,
-                  next_change({1, segment}, squared_reach));
+    known = Known<std::vector<Vertex>>{found_path(segment, squared_reach), squared_reach,
+                                       next_change({1, segment}, squared_reach)};
   }
   return known->image;
 }
@@ -108,8 +109,8 @@ const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
 const ImageOr<Patch>& Images::patch(std::size_t polygon, const Rational& squared_reach) const {
   auto& known = patches_[polygon];
   if (!known || !known->is_about(squared_reach)) {
-    known.emplace(found_patch(polygon, squared_reach), squared_reach,
-                  next_change({2, polygon}, squared_reach));
+    known = Known<Patch>{found_patch(polygon, squared_reach), squared_reach,
+                         next_change({2, polygon}, squared_reach)};
   }
   return known->image;
 }
