@@ -8,6 +8,7 @@
 
 #include "corpus/domain_table.hpp"
 #include "corpus/expected_table.hpp"
+#include "corpus/voronoi_table.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
 #include "oracle/judge/judge.hpp"
@@ -79,6 +80,9 @@ TEST_CASE("there is a mesh in reject/ for every rule") {
   }
   for (const DomainRow& row : domain_rows()) {
     if (row.mesh.starts_with("reject/")) covered.insert(row.broken.begin(), row.broken.end());
+  }
+  for (const VoronoiRow& row : voronoi_rows()) {
+    covered.insert(row.broken.begin(), row.broken.end());
   }
   for (const RuleEntry& entry : rules()) {
     CHECK_MESSAGE(covered.contains(std::string(entry.identifier)), entry.identifier);

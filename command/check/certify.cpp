@@ -117,15 +117,18 @@ void certify(const CertifyOptions& options, Output& output) {
           ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
           : write_domain_certificate(options.certificate, options.mesh, mesh, *domain, *verdict,
                                      output);
+  if (const auto note = note_of_merging(*loaded)) output.notes({*note});
   if (written) report(options, *verdict, loaded->mesh, about, output);
 }
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  return first_fault({{options.asked == Claim::kComplex,
-                       "expected a claim of which something is proved, found complex"},
-                      domain_options_fault(options.said, options.asked, options.domain.has_value()),
-                      certificate_fault(options.said)});
+  const bool is_unproved = options.asked && is_about_a_list(*options.asked);
+  return first_fault(
+      {{is_unproved, fmt::format("expected a claim of which something is proved, found {}",
+                                 is_unproved ? name(*options.asked) : "")},
+       domain_options_fault(options.said, options.asked, options.domain.has_value()),
+       certificate_fault(options.said)});
 }
 
 ExitCode run(CertifyOptions& options) {

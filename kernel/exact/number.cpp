@@ -12,6 +12,8 @@
 #include <locale.h>
 #include <mpfr.h>
 
+#include "kernel/exact/float.hpp"
+
 namespace circumspect {
 
 Rational exact_value(double value) {
@@ -179,19 +181,6 @@ Result read_number(std::string_view token, NumberReading reading) {
 namespace {
 
 constexpr mpfr_prec_t kDoublePrecision = 53;
-
-// An MPFR number that frees itself.
-class Float {
- public:
-  explicit Float(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
-  ~Float() { mpfr_clear(value_); }
-  Float(const Float&) = delete;
-  Float& operator=(const Float&) = delete;
-  mpfr_ptr get() { return value_; }
-
- private:
-  mpfr_t value_;
-};
 
 std::string shortest(double value) {
   char buffer[64];

@@ -259,7 +259,8 @@ std::vector<Simplex> inconsistent_facets(const std::vector<Simplex>& simplices) 
     return is_odd_permutation(facet_opposite(simplex, place)) != (place % 2 == 1);
   };
   std::vector<Simplex> found;
-  if (simplices.empty()) return found;
+  if (simplices.empty() || simplices.front().size() < 2)
+    return found;  // nothing goes around points
   for (const Simplex& facet : faces_of(simplices, simplices.front().size() - 1)) {
     const std::vector<Simplex> beside = with_face(simplices, facet);
     if (beside.size() == 2 && sense(beside[0], facet) == sense(beside[1], facet)) {
