@@ -183,7 +183,6 @@ TEST_CASE("BRIO: rounds follow the curve forwards when odd, backwards when even"
 }
 
 }  // namespace
-// ---- Interruption ----
 
 TEST_CASE("points that are converted and sorted ask often whether anybody waits for them") {
   std::vector<Point> all;
