@@ -59,7 +59,7 @@ void break_once(Dice& dice, VoronoiDiagram& diagram) {
   Point& vertex = diagram.vertices[dice.below(diagram.vertices.size())];
   switch (dice.below(6)) {
     case 0:
-      for (Rational& x : vertex) x += Rational(dice.within(-1L, 1L), 64);
+      for (Rational& x : vertex) x += dice.within(-1L, 1L) / Rational(64);
       return;
     case 1:
       vertex = diagram.sites[static_cast<Vertex>(dice.below(diagram.sites.size()))];
@@ -99,8 +99,8 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     if (dice.below(3) == 0) {
       const Point corner = sites[0];
       box = JudgedBox{corner, corner};
-      for (Rational& x : box->low) x -= Rational(dice.within(1L, 6L), 2);
-      for (Rational& x : box->high) x += Rational(dice.within(1L, 6L), 2);
+      for (Rational& x : box->low) x -= dice.within(1L, 6L) / Rational(2);
+      for (Rational& x : box->high) x += dice.within(1L, 6L) / Rational(2);
     }
     if (!check::fault_of_diagram(diagram, box).empty()) return;
     const Rational allowed = dice.below(3) == 0 ? Rational(0) : Rational(1, 1024);
