@@ -8,6 +8,7 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/points/delaunay.hpp"
+#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
