@@ -146,8 +146,6 @@ report::Json breach_json(const Breach& breach, const formats::DomainFile& file) 
   return object;
 }
 
-// ---- Pictures ----
-
 namespace {
 
 constexpr std::size_t kMostEdges = 200;  // of a polygon, as many are drawn

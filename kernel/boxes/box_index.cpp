@@ -16,8 +16,6 @@
 
 namespace circumspect {
 
-// ---- Boxes ----
-
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -104,8 +102,6 @@ bool may_meet_inside(const Box& around, const Box& other) {
   }
   return true;
 }
-
-// ---- Their index ----
 
 namespace {
 

@@ -88,8 +88,6 @@ std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t
   return found;
 }
 
-// ---- Facets ----
-
 OrientedFacet OrientedFacet::of(const Simplex& vertices_in_order) {
   return {sorted(vertices_in_order), is_odd_permutation(vertices_in_order)};
 }
@@ -108,8 +106,6 @@ Simplex join(const OrientedFacet& facet, Vertex apex) {
   if (facet.reversed) std::swap(simplex[simplex.size() - 1], simplex[simplex.size() - 2]);
   return simplex;
 }
-
-// ---- Which simplices have a facet ----
 
 std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices) {
   std::vector<FacetUse> uses;

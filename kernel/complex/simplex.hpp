@@ -10,7 +10,6 @@
 
 namespace circumspect {
 
-// ---- Simplex ----
 // Simplices as tuples of vertices, and all subsets of a given size, for loops "for every k+1
 // points".
 
@@ -48,7 +47,6 @@ std::vector<Simplex> faces(const Simplex& simplex);
 // The faces with `size` vertices of some simplices: ascending, each once, in lexicographic order.
 std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t size);
 
-// ---- Facets ----
 // Facets: with a front and a back (Book: Section 5.1, "oriented triangular face"), and which
 // simplices of a list have them.
 

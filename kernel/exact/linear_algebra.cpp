@@ -113,8 +113,6 @@ Integer determinant(SquareMatrix matrix) {
   return determinant_by_bareiss(std::move(matrix));
 }
 
-// ---- Linear system ----
-
 std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b) {
   end_if_interrupted();
   const std::size_t n = a.size();
@@ -136,7 +134,6 @@ std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rationa
   return b;
 }
 
-// ---- Linear programs ----
 namespace {
 
 // Rows B⁻¹[A | b] for the current basis; basis[i] is the variable that row i determines.

@@ -14,7 +14,6 @@
 
 namespace circumspect {
 
-// ---- Determinant ----
 // Determinants: two methods, compared with each other and with the definition.
 
 namespace {
@@ -132,10 +131,7 @@ TEST_CASE("determinant: rows that depend on each other make it zero") {
   }));
 }
 
-// ---- Linear program ----
 // Systems of linear equations, and linear programs.
-
-// ---- Square systems of linear equations ----
 
 std::vector<Rational> product(const RationalMatrix& a, const std::vector<Rational>& x) {
   std::vector<Rational> b;
@@ -175,8 +171,6 @@ TEST_CASE("linear system: there is an answer iff the determinant is not zero, an
   }));
   CHECK(singular > 0);
 }
-
-// ---- The simplex method against the enumeration of all basic solutions ----
 
 using Status = LinearProgramStatus;
 

@@ -56,10 +56,6 @@ Integer exact_quotient(const Integer& dividend, const Integer& divisor) {
   return result;
 }
 
-// ---- Number text ----
-
-// ---- Reading ----
-
 namespace {
 
 using Result = tl::expected<Rational, NumberError>;
@@ -193,8 +189,6 @@ Result read_number(std::string_view token, NumberReading reading) {
   return exact_value(value);
 }
 
-// ---- Writing ----
-
 namespace {
 
 constexpr mpfr_prec_t kDoublePrecision = 53;
@@ -278,8 +272,6 @@ std::string square_root_to_decimal(const Rational& value) {
 std::string number_libraries() {
   return std::string("GMP ") + gmp_version + ", MPFR " + mpfr_get_version();
 }
-
-// ---- Exhausted memory ----
 
 namespace {
 

@@ -16,10 +16,7 @@
 
 namespace circumspect {
 
-// ---- Number text ----
 // Exact numbers and text, both ways.
-
-// ---- Reading ----
 
 namespace {
 
@@ -149,8 +146,6 @@ TEST_CASE("a double reading is the decimal reading, rounded as strtod rounds") {
   }));
 }
 
-// ---- Writing ----
-
 namespace {
 
 Rational fraction(const Integer& above, const Integer& below) {
@@ -270,8 +265,6 @@ TEST_CASE("square roots are correctly rounded") {
     RC_ASSERT(std::strtod(square_root_to_decimal(exact_value(x)).c_str(), nullptr) == std::sqrt(x));
   }));
 }
-
-// ---- Exhausted memory ----
 
 // AddressSanitizer takes more address space than any limit.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)

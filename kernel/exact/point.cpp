@@ -66,8 +66,6 @@ Point barycentre(const std::vector<Point>& points) {
   return Rational(1, static_cast<unsigned long>(points.size())) * sum;
 }
 
-// ---- Affine hull ----
-
 namespace {
 
 // A direction of the hull, scaled to 1 on its pivot axis.

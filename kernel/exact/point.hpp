@@ -8,8 +8,6 @@
 
 namespace circumspect {
 
-// ---- Point ----
-
 // Cartesian coordinates. std::vector's operator< is the lexicographic order of the perturbation.
 using Point = std::vector<Rational>;
 
@@ -33,7 +31,6 @@ std::size_t longest_axis(const Point& a);
 // Requires: points is not empty, all of one dimension.
 Point barycentre(const std::vector<Point>& points);
 
-// ---- Affine hull ----
 // The affine hull of a set of points, and coordinates in it.
 // Book: Section 4.1 ("if the affine hull of S is k-dimensional …").
 

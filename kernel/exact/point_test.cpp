@@ -16,8 +16,6 @@
 namespace circumspect {
 namespace {
 
-// ---- Points as vectors ----
-
 rc::Gen<Point> vectors() { return rc::gen::container<Point>(3, generators::small_rational()); }
 
 TEST_CASE("point: worked examples") {
@@ -120,8 +118,6 @@ TEST_CASE("point: operator< is the lexicographic order of exact coordinates") {
   CHECK(Point{Rational(1, 3)} < Point{exact_value(0.33333333333333337)});
   CHECK(Point{exact_value(0.33333333333333331)} < Point{Rational(1, 3)});
 }
-
-// ---- The affine hull of points against ranks by minors ----
 
 std::vector<Point> some(const std::vector<Point>& points, const std::vector<std::size_t>& which) {
   std::vector<Point> chosen;

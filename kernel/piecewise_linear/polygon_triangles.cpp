@@ -14,8 +14,6 @@
 
 namespace circumspect {
 
-// ---- A plane sweep ----
-
 namespace {
 
 // A line sweeps over the plane and meets the vertices in lexicographic order of their coordinates
@@ -167,8 +165,6 @@ std::vector<Simplex> triangulate_by_sweep(const PointSet& points,
                                           const std::vector<Simplex>& segments) {
   return Sweep(points, axes).run(vertices, segments);
 }
-
-// ---- The triangles of a polygon ----
 
 namespace {
 

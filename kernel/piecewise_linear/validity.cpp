@@ -28,11 +28,7 @@ Rational offset_from_plane(const std::vector<Point>& plane, const Point& q) {
   return inner_product(normal, q - plane[0]) / longest;
 }
 
-// ---- Validity ----
-
 namespace {
-
-// ---- Stages 1 and 2: one cell at a time ----
 
 bool names_a_point(const PiecewiseLinearInput& input, Vertex v) {
   return v >= 0 && v < static_cast<Vertex>(input.points.size());
@@ -123,8 +119,6 @@ void find_plane_breaches(const PiecewiseLinearInput& input, const PointSet& poin
   }
 }
 
-// ---- Stage 2: do vertices and segments form a simplicial complex? ----
-
 // Two segments of one line that overlap have an end of one inside the other, or are the same.
 void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& segments,
                            const Progress& progress, BreachList& found) {
@@ -150,8 +144,6 @@ void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& s
     }
   }
 }
-
-// ---- Stage 3: what the lines of a polygon enclose ----
 
 // Which of some simplices hold a point.
 class Simplices {
@@ -251,8 +243,6 @@ void find_area_breaches(const PiecewiseLinearInput& input, const PiecewiseLinear
     }
   }
 }
-
-// ---- All stages ----
 
 // The elements of `a` that are not in `b`; both ascending.
 template <typename A, typename B>

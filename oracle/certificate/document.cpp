@@ -121,8 +121,6 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
   write_because(lines, refutation);
 }
 
-// ---- Document ----
-
 namespace {
 
 // What certificates do not cover; empty if they cover this.

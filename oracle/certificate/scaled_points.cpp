@@ -119,8 +119,6 @@ HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices)
   return in_lowest_terms(std::move(sum));
 }
 
-// ---- Sidedness ----
-
 int Sidedness::sign_of_determinant() {
   const auto& [a, b, c] = rows_;
   if (points_.dimension == 2) {
@@ -181,8 +179,6 @@ std::optional<std::size_t> Sidedness::separating_place(std::span<const Vertex> s
   }
   return std::nullopt;
 }
-
-// ---- Separators ----
 
 Point perpendicular(const Point& u, const Point& v) {
   const Rational length = squared_length(v);
@@ -253,8 +249,6 @@ std::optional<Separators> separators(const std::vector<std::vector<Point>>& part
   }
   return made;
 }
-
-// ---- Points ----
 
 HomogeneousPoint homogeneous(const Point& point) {
   HomogeneousPoint q{{}, common_denominator(point)};

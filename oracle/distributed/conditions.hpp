@@ -56,8 +56,6 @@ std::uint64_t hash_of(const std::array<std::int64_t, kSize>& indices) {
   return fast::mixed_vertex(hash);
 }
 
-// ---- Facets ----
-
 // What is across the facets of this rank's simplices, and what is wrong there.
 struct FacetFindings {
   std::vector<FacetNames> overused = {};     // of three and more simplices
@@ -234,8 +232,6 @@ class FacetMeeting {
   FacetFindings found_;
 };
 
-// ---- Ridges ----
-
 // As fast::FaultyRidge.
 template <std::size_t kDimension>
 struct FaultyRidgeName {
@@ -292,8 +288,6 @@ std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
   return faulty;
 }
 
-// ---- Sample point ----
-
 // This rank's boundary facets that do not have the sample point strictly on their inner sides.
 template <std::size_t kDimension>
 FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
@@ -310,8 +304,6 @@ FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
   }
   return names;
 }
-
-// ---- Simplices and points listed twice ----
 
 // Simplices that have the same vertices as another, whether these are points or not, group by
 // group. Called by all ranks.

@@ -199,8 +199,6 @@ TEST_CASE("wording: simplices by dimension, the two ways by name") {
 
 }  // namespace
 
-// ---- Rounded up ----
-
 TEST_CASE("square roots are rounded up to two digits") {
   CHECK(square_root_rounded_up(0) == "0");
   CHECK(square_root_rounded_up(1) == "1.0e+00");
@@ -222,7 +220,6 @@ TEST_CASE("what is printed is no less than the root, and a tenth more at most") 
   }
 }
 
-// ---- JSON ----
 // Verdicts for programs: the exact document, and that it suffices to re-check each witness.
 
 namespace {

@@ -10,10 +10,9 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/dictionary.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::constrained {
-
 namespace {
 
 // A point in the relative interior of the section of the simplex with the plane of the polygon: the
@@ -133,10 +132,6 @@ std::set<Simplex> facets_included_in(const StarIndex& tetrahedra, const PolygonI
   return included;
 }
 
-// ---- Cavity ----
-
-// ---- Filling a cavity ----
-
 namespace {
 
 // Finish: a candidate counts if no facet of the cavity reaches into its simplex with the facet.
@@ -202,8 +197,6 @@ tl::expected<std::vector<Simplex>, NoChange> gift_wrap_cavity(const PointSet& po
   return simplices;
 }
 
-// ---- Inserting a polygon ----
-
 std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, EvolvingCdt& cdt,
                                                  const Polygon& polygon) {
   for (const Simplex& segment : polygon.segments) {
@@ -230,8 +223,6 @@ std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, Evolvin
   cdt.walls.merge(facets_included_in(cdt.tetrahedra, in_space));
   return std::nullopt;
 }
-
-// ---- Deleting a polygon ----
 
 namespace {
 

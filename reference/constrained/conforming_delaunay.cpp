@@ -101,8 +101,6 @@ bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& 
          sign(turn(axes, c, d, a)) * sign(turn(axes, c, d, b)) <= 0;
 }
 
-// ---- Conforming Delaunay ----
-
 namespace {
 
 // A point that may be added to a polygon, and the subfacet's smallest circumball.

@@ -7,10 +7,9 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::constrained {
-
 namespace {
 
 bool is_absent(const EvolvingCdt& cdt, const Simplex& face) {
@@ -104,8 +103,6 @@ std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices) {
   for (const Simplex& simplex : simplices) vertices.insert(simplex.begin(), simplex.end());
   return vertices;
 }
-
-// ---- PLC triangulation ----
 
 namespace {
 

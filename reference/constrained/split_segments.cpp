@@ -145,8 +145,6 @@ Rational ProtectingShells::squared_distance_to_others(Vertex apex) const {
   return least;
 }
 
-// ---- Split segments ----
-
 namespace {
 
 // The number in an open interval whose denominator is the least power of two; the first of these.

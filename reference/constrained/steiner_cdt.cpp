@@ -103,8 +103,6 @@ tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
   return RecoveredSegments{segments.augmented(points), segments.added()};
 }
 
-// ---- Steiner CDT ----
-
 namespace {
 
 template <typename Expected>

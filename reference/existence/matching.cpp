@@ -75,8 +75,6 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
   return tetrahedra;
 }
 
-// ---- Matching ----
-
 namespace {
 
 class Matching {

@@ -25,8 +25,6 @@ std::vector<Simplex> simplicial_complex(const Triangulation& triangulation) {
   return {all.begin(), all.end()};
 }
 
-// ---- All triangulations ----
-
 namespace {
 
 // The position of a point with respect to a closed simplex of full dimension.
@@ -194,8 +192,6 @@ std::vector<Triangulation> all_triangulations(const PointSet& points, VertexUse 
   });
   return all;
 }
-
-// ---- Regularity ----
 
 namespace {
 

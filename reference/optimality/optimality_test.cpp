@@ -10,8 +10,6 @@
 namespace circumspect::optimality {
 namespace {
 
-// ---- Known numbers of triangulations, known flip graphs, known regularity ----
-
 PointSet grid(long columns, long rows) {
   std::vector<Point> points;
   for (long x = 0; x < columns; ++x) {
@@ -136,8 +134,6 @@ TEST_CASE("flip graph: the flips that create or delete a vertex are left out for
   REQUIRE(next.size() == 1);
   CHECK(next.front() == delaunay::by_definition(points));
 }
-
-// ---- Interpolation errors and min-containment balls of simplices that can be checked by hand ----
 
 TEST_CASE("barycentric coordinates: inside, outside, off the affine hull, degenerate") {
   const PointSet points({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {4, 0, 0}});

@@ -127,7 +127,8 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
   // Facets with the same vertices have the same hash: a facet without a link is in no other
   // simplex, and one with a link in no third. So two simplices with the same vertices would be
   // linked at all their facets, and neither has a vertex off a facet that the other lacks.
-  const auto links = matched_facets(mesh, threads);
+  const auto links = matched_facets(
+      mesh, threads, wanted.pairs_suffice ? Proposal::kLikely : Proposal::kComplete);
   if (!links) return tl::unexpected(links.error());
   if (!links->overused.empty()) return tl::unexpected(Undecided::kFacetOverused);
   WholeSweep<kDimension, Index, std::int32_t> sweep(mesh, links->view(), threads);
@@ -139,6 +140,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
       .ties = std::move(swept.ties),
       .not_canonical = std::move(swept.not_canonical),
       .oriented = sweep.orientations().are_equal(),
+      .uses_all_points = sweep.unused().empty(),
       .stages = swept.stages};
   if (wanted.hull) {
     facts.fills_hull = judge(mesh, links->view(), Question::kTriangulation, threads).has_value();
