@@ -120,12 +120,8 @@ inline bool is_constrained_delaunay(const PiecewiseLinearComplex& complex, const
   const Ball smallest = circumball(points, simplex);
   Point normal(3);
   if (simplex.size() == 3) {
-    const Point a = points[simplex[1]] - points[simplex[0]];
-    const Point b = points[simplex[2]] - points[simplex[0]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      normal[i] = a[j] * b[k] - a[k] * b[j];
-    }
+    const Point& p = points[simplex[0]];
+    normal = cross_product(points[simplex[1]] - p, points[simplex[2]] - p);
   }
   std::optional<Rational> least, greatest;  // of t
   for (Vertex v = 0; points.names(v); ++v) {

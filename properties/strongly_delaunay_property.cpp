@@ -125,7 +125,7 @@ TEST_CASE("D3 faces of (strongly) Delaunay simplices are so, and every vertex (E
       for (const bool strongly : {false, true}) {
         const std::vector<Simplex> simplices = those_that_are(points, strongly);
         for (const Simplex& simplex : simplices) {
-          for (const Simplex& face : optimality::faces(simplex)) {
+          for (const Simplex& face : faces(simplex)) {
             RC_ASSERT(std::count(simplices.begin(), simplices.end(), face) == 1);
           }
         }

@@ -141,9 +141,7 @@ bool meets_interior(const Points& simplex, const Points& part) {
 Rational area(const Points& polygon, const std::vector<std::size_t>& axes) {
   Rational sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point& p = polygon[i];
-    const Point& q = polygon[(i + 1) % polygon.size()];
-    sum += p[axes[0]] * q[axes[1]] - p[axes[1]] * q[axes[0]];
+    sum += cross_product(polygon[i], polygon[(i + 1) % polygon.size()], axes[0], axes[1]);
   }
   return abs(sum);
 }

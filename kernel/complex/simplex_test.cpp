@@ -118,6 +118,15 @@ std::vector<Simplex> by_bit_patterns(std::size_t size, std::size_t n) {
   return all;
 }
 
+TEST_CASE("faces: of a simplex in its order, the smaller first; of several each once") {
+  CHECK(faces({9, 4, 7}) == std::vector<Simplex>{{9}, {4}, {7}, {9, 4}, {9, 7}, {4, 7}, {9, 4, 7}});
+  CHECK(faces({9, 4, 7}, 2) == std::vector<Simplex>{{9, 4}, {9, 7}, {4, 7}});
+  CHECK(faces({9, 4, 7}, 4).empty());
+  const std::vector<Simplex> two = {{3, 2, 1}, {0, 1, 2}, {5}};
+  CHECK(faces_of(two, 2) == std::vector<Simplex>{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}});
+  CHECK(faces_of(two, 1) == std::vector<Simplex>{{0}, {1}, {2}, {3}, {5}});
+}
+
 TEST_CASE("subsets: the pairs of four, in lexicographic order") {
   CHECK(all_subsets(2, 4) == std::vector<Simplex>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}});
 }

@@ -262,4 +262,25 @@ LinearProgramAnswer maximize(const LinearProgram& program) {
   return answer;
 }
 
+// Asked is for the largest ε that the positive unknowns can all reach: the program's unknowns are
+// x_i − ε for these, the others, and ε.
+bool is_solvable(RationalMatrix equations, std::vector<Rational> right_sides,
+                 std::size_t positive) {
+  LinearProgram program{std::move(equations), std::move(right_sides), {}};
+  std::size_t unknowns = 0;
+  for (std::vector<Rational>& row : program.equations) {
+    unknowns = row.size();
+    Rational sum = 0;
+    for (std::size_t i = 0; i < positive; ++i) sum += row[i];
+    row.push_back(sum);
+  }
+  program.objective.assign(unknowns, 0);
+  program.objective.emplace_back(1);
+  const LinearProgramAnswer answer = maximize(program);
+  if (answer.status != LinearProgramStatus::kOptimal || positive == 0) {
+    return answer.status != LinearProgramStatus::kInfeasible;
+  }
+  return sign(answer.value) > 0;
+}
+
 }  // namespace circumspect

@@ -73,4 +73,9 @@ struct LinearProgramAnswer {
 // from an artificial basis. Requires: all rows have the length of the objective.
 LinearProgramAnswer maximize(const LinearProgram& program);
 
+// Have the equations a solution in which the first `positive` unknowns are positive and the others
+// are not negative? Requires: as many right sides as equations, which all have one length.
+bool is_solvable(RationalMatrix equations, std::vector<Rational> right_sides,
+                 std::size_t positive = 0);
+
 }  // namespace circumspect

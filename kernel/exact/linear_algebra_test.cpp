@@ -339,6 +339,22 @@ TEST_CASE("linear program: it agrees with the enumeration of all basic solutions
   CHECK(seen.size() == 3);  // every answer came up
 }
 
+TEST_CASE("is_solvable: by numbers that are not negative, or that have to be positive") {
+  const RationalMatrix sum = {{1, 1}};
+  CHECK(is_solvable(sum, {1}));
+  CHECK(is_solvable(sum, {1}, 2));
+  CHECK(is_solvable(sum, {0}));
+  CHECK_FALSE(is_solvable(sum, {0}, 1));
+  CHECK_FALSE(is_solvable(sum, {-1}));
+  const RationalMatrix difference = {{1, -1}};
+  CHECK(is_solvable(difference, {0}, 2));  // by numbers of any size
+  CHECK(is_solvable(difference, {-1}, 1));
+  // x = 1 and y = 0.
+  const RationalMatrix both = {{1, 1}, {1, -1}};
+  CHECK(is_solvable(both, {1, 1}, 1));
+  CHECK_FALSE(is_solvable(both, {1, 1}, 2));
+}
+
 }  // namespace
 
 }  // namespace circumspect

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -52,6 +53,12 @@ std::size_t bit_length(const Integer& value);
 
 // Least common multiple, always positive. Requires: a, b nonzero.
 Integer least_common_multiple(const Integer& a, const Integer& b);
+
+// The least common multiple of `of_others` and the denominators of some numbers.
+Integer common_denominator(std::span<const Rational> numbers, Integer of_others = 1);
+
+// The numerator of a number over this denominator. Requires: a multiple of the number's own.
+Integer numerator_over(const Integer& denominator, const Rational& value);
 
 // sum += a · b and sum −= a · b, without a number in between.
 void add_product(Integer& sum, const Integer& a, const Integer& b);

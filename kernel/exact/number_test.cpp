@@ -158,6 +158,18 @@ Integer power_of_two(unsigned long exponent) { return Integer(1) << exponent; }
 
 }  // namespace
 
+TEST_CASE("numbers over a common denominator are integers, and no smaller one will do") {
+  const std::vector<Rational> numbers = {Rational(-3, 4), Rational(5, 6), 7};
+  const Integer common = common_denominator(numbers);
+  CHECK(common == 12);
+  CHECK(common_denominator({}) == 1);
+  CHECK(common_denominator(numbers, 10) == 60);
+  CHECK(common_denominator(numbers, 24) == 24);
+  CHECK(numerator_over(common, numbers[0]) == -9);
+  CHECK(numerator_over(common, numbers[1]) == 10);
+  CHECK(numerator_over(common, numbers[2]) == 84);
+}
+
 TEST_CASE("exact values in lowest terms") {
   CHECK(to_string(Integer(-7)) == "-7");
   CHECK(to_string(fraction(-2, 6)) == "-1/3");

@@ -182,8 +182,7 @@ std::vector<std::size_t> triangles_at(const std::vector<Point>& seeds, const Poi
   for (const Simplex& triangle : triangles) {
     std::vector<Point> projections;
     for (const Vertex v : triangle) projections.push_back(projection(points[v], axes));
-    boxes.push_back(box_around(box_around(box_around(projections[0]), box_around(projections[1])),
-                               box_around(projections[2])));
+    boxes.push_back(box_around_all(projections));
     corners.push_back(std::move(projections));
   }
   const BoxIndex index(boxes);

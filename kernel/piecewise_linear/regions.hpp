@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
-#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect {

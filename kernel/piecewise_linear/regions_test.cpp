@@ -34,7 +34,7 @@ TEST_CASE("assemble: a square with a square hole, a slit and an isolated vertex"
   for (const Simplex& t : polygon.triangles) {
     const Point u = complex.points[t[1]] - complex.points[t[0]];
     const Point v = complex.points[t[2]] - complex.points[t[0]];
-    area += abs(u[0] * v[1] - u[1] * v[0]) / 2;
+    area += abs(cross_product(u, v, 0, 1)) / 2;
   }
   CHECK(area == 72);
 }

@@ -9,6 +9,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/piecewise_linear/nearest_plane.hpp"
@@ -21,16 +22,10 @@
 namespace circumspect {
 
 Rational offset_from_plane(const std::vector<Point>& plane, const Point& q) {
-  const Point u = plane[1] - plane[0];
-  const Point v = plane[2] - plane[0];
-  const Point normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                        u[0] * v[1] - u[1] * v[0]};
-  std::size_t greatest = 0;
-  for (const std::size_t axis : {1u, 2u}) {
-    if (abs(normal[axis]) > abs(normal[greatest])) greatest = axis;
-  }
-  assert(sign(normal[greatest]) != 0);
-  return inner_product(normal, q - plane[0]) / normal[greatest];
+  const Point normal = cross_product(plane[1] - plane[0], plane[2] - plane[0]);
+  const Rational& longest = normal[longest_axis(normal)];
+  assert(sign(longest) != 0);
+  return inner_product(normal, q - plane[0]) / longest;
 }
 
 namespace {

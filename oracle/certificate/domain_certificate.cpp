@@ -7,6 +7,8 @@
 #include "kernel/complex/simplex.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
+#include "oracle/judge/domain/polygon_tiling.hpp"
+#include "oracle/judge/domain/vertex_search.hpp"
 
 namespace circumspect::certificate {
 namespace {

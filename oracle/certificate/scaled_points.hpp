@@ -109,8 +109,6 @@ std::optional<std::string> way_through(const std::vector<std::vector<Point>>& tr
 
 // Planes, in the plane lines, that part a way from convex sets.
 
-// The least common multiple of the denominators.
-Integer common_denominator(const Point& point);
 // What of u is perpendicular to v, times a positive number; u itself if v is 0.
 Point perpendicular(const Point& u, const Point& v);
 

@@ -63,6 +63,12 @@ struct ExactMesh {
   // others add nothing. Only claims about a domain use them.
   std::vector<Simplex> faces = {};
 
+  std::vector<Simplex> simplices_and_faces() const {
+    std::vector<Simplex> all = simplices;
+    all.insert(all.end(), faces.begin(), faces.end());
+    return all;
+  }
+
   // The user's own index of a vertex, whether it names a point or not.
   Vertex label(Vertex v) const {
     if (!points.names(v) || labels.empty()) return index_of_place(v, first_index);

@@ -76,10 +76,7 @@ bool PolygonInSpace::is_inside_near(Vertex v, const Point& towards) const {
   const auto at_v = triangles_at_.find(v);
   if (at_v == triangles_at_.end()) return false;  // v is the end of a segment that dangles
   const auto turn = [&](const Point& p, const Point& q) {
-    const std::size_t x = polygon_.axes[0], y = polygon_.axes[1];
-    const Point& o = points_[v];
-    const Rational value = (p[x] - o[x]) * (q[y] - o[y]) - (p[y] - o[y]) * (q[x] - o[x]);
-    return sign(value);
+    return sign(cross_product(p - points_[v], q - points_[v], polygon_.axes[0], polygon_.axes[1]));
   };
   return std::any_of(at_v->second.begin(), at_v->second.end(), [&](const Simplex& triangle) {
     const Simplex others = without(triangle, {v});

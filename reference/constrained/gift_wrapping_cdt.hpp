@@ -11,7 +11,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/progress.hpp"
-#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 

@@ -9,6 +9,7 @@
 #include "oracle/judge/convex_hull/judge_convex_hull.hpp"
 #include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/points/delaunay.hpp"
+#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 #include "oracle/judge/surface/judge_surface.hpp"
