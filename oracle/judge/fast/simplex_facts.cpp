@@ -166,8 +166,8 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
   // Facets with the same vertices have the same hash: a facet without a link is in no other
   // simplex, and one with a link in no third. So two simplices with the same vertices would be
   // linked at all their facets, and neither has a vertex off a facet that the other lacks.
-  const auto links = matched_facets(
-      mesh, threads, wanted.pairs_suffice ? Proposal::kLikely : Proposal::kComplete);
+  const auto links =
+      matched_facets(mesh, threads, wanted.pairs_suffice ? Proposal::kLikely : Proposal::kComplete);
   if (!links) return tl::unexpected(links.error());
   if (!links->overused.empty()) return tl::unexpected(Undecided::kFacetOverused);
   WholeSweep<kDimension, Index, std::int32_t> sweep(mesh, links->view(), threads);
