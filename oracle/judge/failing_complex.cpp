@@ -76,6 +76,7 @@ class Searched {
 
   std::vector<Duplicate> equal = {};
   Places apart = {};     // simplices that are not compared
+  Places twins = {};     // those with the vertices of another, compared or not
   Places compared = {};  // those that are
   Places improper = {};  // of these, one at least of every two that do not meet as they should
   Places turned = {};    // of these, those oriented unlike most
@@ -117,6 +118,7 @@ class Searched {
   // As definition::set_apart does.
   void set_apart(const fast::Faults& faults) {
     apart = faults.unsound;
+    twins = faults.duplicates;
     std::set<std::array<Index, kVertices>> known;
     for (const std::size_t s : faults.duplicates) {
       const bool is_sound = !std::binary_search(faults.unsound.begin(), faults.unsound.end(), s);
@@ -369,7 +371,7 @@ std::optional<Verdict> failing_complex(const fast::MeshView<kDimension, Index>& 
   Places turned = wrongly_turned(whole, demands.oriented);
   const std::size_t all_turned = turned.size();
   if (max_violations > 0) turned.resize(std::min(turned.size(), max_violations));
-  for (const Places& more : {whole.apart, first_ones(whole), turned}) {
+  for (const Places& more : {whole.apart, whole.twins, first_ones(whole), turned}) {
     simplices.insert(simplices.end(), more.begin(), more.end());
   }
   const Places unused = unused_points(mesh);
