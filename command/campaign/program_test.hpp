@@ -11,7 +11,6 @@
 namespace circumspect::cli {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
 
 // A folder with a program that is a shell script.
 struct Program {

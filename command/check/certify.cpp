@@ -35,7 +35,8 @@ struct CertifyOptions {
   InputOptions input;
   OutputOptions output;
   check::By by = check::By::kLemma;
-  std::uint64_t threads = 0;  // 0: as many as the machine has
+  std::uint64_t threads = 0;          // 0: as many as the machine has
+  std::vector<std::string> required;  // refused
 };
 
 void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& mesh,
@@ -120,6 +121,10 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
+  if (!options.required.empty()) {
+    return "expected no --require of a certificate, found it: nothing is proved of the shape of "
+           "simplices; circumspect check judges it";
+  }
   if (options.asked == Claim::kComplex) {
     return "expected a claim of which something is proved, found complex";
   }
@@ -206,6 +211,8 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
                    "Judge by the lemmas (default) or, slowly, by the definitions")
       ->transform(one_of(manners))
       ->option_text("lemma|definition");
+  command->add_option("--require", options->required, "Refused: nothing is proved of it")
+      ->group("");
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

@@ -19,6 +19,7 @@
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -76,6 +77,14 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
   if (output.wants_json()) output.json(std::move(result));
 }
 
+// Are the requirements about measures that the mesh does not have? Then it says so.
+bool misses_measures(const std::string& path, const Mesh& mesh, const CheckOptions& options,
+                     Output& output) {
+  const std::string fault = check::fault_of_quality(mesh, options.check.quality);
+  if (!fault.empty()) output.error(ExitCode::kUsage, "mesh", path, path + ": " + fault);
+  return !fault.empty();
+}
+
 void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
   output.begin("reading " + path);
   auto loaded = load_mesh(path, options.input, options.check.threads);
@@ -90,6 +99,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
       return;
     }
   }
+  if (misses_measures(path, loaded->mesh, options, output)) return;
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
@@ -136,7 +146,11 @@ std::optional<Verdict> judged_against(const std::string& path, Claim claim, Load
   auto judged = judged_within(*options.within, claim, known, domain, options.check,
                               against.bent ? &*against.bent : nullptr,
                               {loaded.face_markers, against.polygon_markers()});
-  if (judged) return std::move(*judged);
+  if (judged) {
+    check::judge_quality(loaded.mesh, &against.judged(), options.within->squared(domain.complex),
+                         options.check, *judged);
+    return std::move(*judged);
+  }
   const auto& [reason, is_input_fault] = judged.error();
   output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
                path + ": " + reason);
@@ -168,6 +182,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
                     dimension, domain.name, mesh.dimension()));
     return;
   }
+  if (misses_measures(path, mesh, options, output)) return;
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim =
       options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));

@@ -6,6 +6,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/judge_in_parts.hpp"
+#include "command/check/quality_options.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/option_rows.hpp"
@@ -25,6 +26,7 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
            {options.domain.has_value(), "--domain"},
            {options.check.by == check::By::kDefinition, "--by definition"},
            {options.check.oriented, "--oriented"},
+           {!options.check.quality.empty(), "--require"},
            {options.input.neighbors, "--neighbors"},
            {!options.input.kept_labels.empty(), "--keep-label"},
            {options.input.allow_empty, "--allow-empty"},
@@ -63,6 +65,7 @@ std::string usage_fault(CheckOptions& options) {
   const Asked certificate{options.certificate.has_value(), "--certificate"};
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
+  const Asked demanded{!options.check.quality.empty(), "--require"};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
@@ -73,6 +76,8 @@ std::string usage_fault(CheckOptions& options) {
       contradiction(certificate, complex),
       contradiction(neighbors, complex),
       contradiction(memory, complex),
+      quality_fault(options.check.quality),
+      contradiction(demanded, certificate, "nothing is proved of it"),
       contradiction(within, certificate, "nothing is proved of it"),
       certificate.is_given ? certificate_fault(options.said) : "",
       {about_domain && !domain.is_given,
@@ -125,6 +130,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
                          "Also write a certificate or a refutation, as circumspect certify does"}});
   add_picture_options(command, options.picture);
   add_complex_options(command, options.complex);
+  add_quality_options(command, options.check.quality);
   add_options(command, {{"--neighbors", "", flag(options.input.neighbors),
                          "Also judge the .neigh file beside each .ele"},
                         {"--max-errors", "N", into(options.check.max_violations, whole_number()),

@@ -15,7 +15,6 @@ namespace circumspect::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
 
 constexpr const char* kQuadPoints = "4 2\n0 0 0\n1 1 0\n2 0 1\n3 2 2\n";
 constexpr const char* kQuadTriangles = "2 3\n0 0 1 2\n1 1 3 2\n";

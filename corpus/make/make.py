@@ -14,11 +14,12 @@ import domain_written
 import domains
 import files
 import mesh_alone
+import quality
 import reject
 import tables
 from inputs import inputs
 
-entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries()]
+entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries(), *quality.entries()]
 for entry in entries:
     files.write(entry)
 for name, _, points in inputs():

@@ -12,6 +12,8 @@
 #include <locale.h>
 #include <mpfr.h>
 
+#include "kernel/exact/float.hpp"
+
 namespace circumspect {
 
 Rational exact_value(double value) {
@@ -186,19 +188,6 @@ namespace {
 
 constexpr mpfr_prec_t kDoublePrecision = 53;
 
-// An MPFR number that frees itself.
-class Float {
- public:
-  explicit Float(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
-  ~Float() { mpfr_clear(value_); }
-  Float(const Float&) = delete;
-  Float& operator=(const Float&) = delete;
-  mpfr_ptr get() { return value_; }
-
- private:
-  mpfr_t value_;
-};
-
 std::string shortest(double value) {
   char buffer[64];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
@@ -259,6 +248,33 @@ std::string square_root_to_decimal(const Rational& value) {
     rounded_root(low, value, precision, MPFR_RNDD);
     rounded_root(high, value, precision, MPFR_RNDU);
     if (mpfr_equal_p(low.get(), high.get()) != 0) return print(low);
+  }
+}
+
+namespace {
+
+// One end of an enclosure of a sum of roots, rounded to 53 bits.
+void rounded_sum_of_roots(Float& result, std::span<const Rational> values, mpfr_prec_t precision,
+                          mpfr_rnd_t toward) {
+  Float sum(precision), root(precision);
+  mpfr_set_zero(sum.get(), 1);
+  for (const Rational& value : values) {
+    mpfr_set_q(root.get(), value.get_mpq_t(), toward);
+    mpfr_sqrt(root.get(), root.get(), toward);
+    mpfr_add(sum.get(), sum.get(), root.get(), toward);
+  }
+  mpfr_set(result.get(), sum.get(), MPFR_RNDN);
+}
+
+}  // namespace
+
+std::string sum_of_roots_to_decimal(std::span<const Rational> values) {
+  constexpr mpfr_prec_t kMost = 4096;
+  for (mpfr_prec_t precision = 4 * kDoublePrecision;; precision *= 2) {
+    Float low(kDoublePrecision), high(kDoublePrecision);
+    rounded_sum_of_roots(low, values, precision, MPFR_RNDD);
+    rounded_sum_of_roots(high, values, precision, MPFR_RNDU);
+    if (mpfr_equal_p(low.get(), high.get()) != 0 || precision > kMost) return print(low);
   }
 }
 

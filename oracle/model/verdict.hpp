@@ -11,6 +11,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/claim.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/measure.hpp"
 #include "oracle/model/rule.hpp"
 
 namespace circumspect {
@@ -31,6 +32,13 @@ struct NearestVertex {
   Rational squared_distance;
 };
 
+// What was measured of a simplex that does not keep a requirement. Its text is in measure.hpp.
+struct Measured {
+  Measure measure;
+  Rational value;        // as measure.hpp holds it
+  std::string required;  // "min-angle >= 20.7deg"
+};
+
 // Simplices and vertices are named by indices from 0 (see Mesh::label for the user's own). Which
 // fields are set depends on the rule; report/ puts them into words.
 struct Witness {
@@ -48,6 +56,7 @@ struct Witness {
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
   std::optional<NearestVertex> nearest = {};  // to the missing cell of the domain
+  std::optional<Measured> measured = {};      // of the first simplex
 };
 
 // ---- Verdict ----
@@ -116,6 +125,13 @@ struct ComplexFacts {
   std::size_t positive = 0, negative = 0;
 };
 
+// What was required of the shape of simplices beside the claim.
+struct QualityFacts {
+  std::vector<std::string> required;  // "min-angle:20.7deg"
+  std::string except_sharp = {};      // "60deg"; empty: none was set aside
+  std::size_t set_aside = 0;          // simplices at sharp angles
+};
+
 class Verdict {
  public:
   Verdict(Claim claim, std::size_t max_violations)
@@ -163,6 +179,7 @@ class Verdict {
   std::optional<Rational> beyond = {};
 
   std::optional<ComplexFacts> complex = {};
+  std::optional<QualityFacts> quality = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;

@@ -75,6 +75,20 @@ Json complex_facts(const ComplexFacts& facts) {
           {"negative", facts.negative}};
 }
 
+Json quality_facts(const QualityFacts& facts) {
+  Json object = {{"required", facts.required}};
+  if (facts.except_sharp.empty()) return object;
+  object["except_sharp"] = facts.except_sharp;
+  object["set_aside"] = facts.set_aside;
+  return object;
+}
+
+Json measured(const Measured& measured) {
+  return {{"measure", entry(measured.measure).name},
+          {"text", measure_text(measured.measure, measured.value)},
+          {"required", measured.required}};
+}
+
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
   object.update(witness(broken.witness, mesh, domain));
@@ -93,6 +107,7 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   Json values = Json::object();
   for (const NamedValue& exact : witness.values) values[exact.name] = value(exact.value);
   object["values"] = values;
+  if (witness.measured) object["measured"] = measured(*witness.measured);
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
   for (const auto& [own, left] : named.merged) {
@@ -167,6 +182,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   }
   if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
   if (verdict.complex) object["complex"] = complex_facts(*verdict.complex);
+  if (verdict.quality) object["quality"] = quality_facts(*verdict.quality);
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
   Json tallies = Json::array();
