@@ -16,8 +16,6 @@ namespace circumspect::cli {
 
 using formats::ScratchFolder;
 
-using Arguments = std::vector<std::string>;
-
 struct Run {
   int exit_code = -1;  // -1: it did not end by itself
   std::string out;

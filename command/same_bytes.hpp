@@ -29,6 +29,8 @@ inline std::vector<std::string> choices(const std::string& option) {
   return all;
 }
 
+using Arguments = std::vector<std::string>;
+
 // Every combination of the options. Orders, locations and seeds are Bowyer-Watson's; the other
 // algorithms take none of them, and one run of each is enough.
 inline std::vector<Arguments> every_way(const std::vector<std::string>& seeds) {

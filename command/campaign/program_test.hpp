@@ -11,6 +11,7 @@
 namespace circumspect::cli {
 
 namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
 
 // A folder with a program that is a shell script.
 struct Program {

@@ -106,6 +106,8 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
        "has many domains"},
       {!options.is_worker && has_updates,
        "expected --worker with --updates, found none: such a program must go on after each mesh"},
+      {subject.claim == Claim::kVoronoi,
+       "expected a claim about meshes, which programs make in campaigns, found voronoi"},
       options.is_worker ? worker_fault_of(options, subject) : "",
       {has_updates && !subject.relations.empty(),
        "expected --metamorphic or --updates, found both"},

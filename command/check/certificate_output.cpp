@@ -16,7 +16,7 @@
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/constructions.hpp"
-#include "reference/existence/existence.hpp"
+#include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/check_options.hpp"
+#include "command/check/check_voronoi.hpp"
 #include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
@@ -18,7 +19,8 @@
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/cause/causes.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
@@ -85,6 +87,28 @@ bool misses_measures(const std::string& path, const Mesh& mesh, const CheckOptio
   return !fault.empty();
 }
 
+// What is said of a mended mesh in place of the one that was judged.
+std::optional<Verdict> judged_again(Claim claim, const Mesh& mesh, const Domain* domain,
+                                    check::Options options) {
+  options.max_violations = 1;
+  auto verdict = check::judge(claim, mesh, domain, options);
+  if (!verdict) return std::nullopt;
+  return std::move(*verdict);
+}
+
+std::optional<Verdict> judged_again(Claim claim, const Mesh& mesh, const HeldAgainst& against,
+                                    const CheckOptions& options) {
+  const Domain& domain = against.loaded.domain;
+  if (!options.within) return judged_again(claim, mesh, &domain, options.check);
+  const check::KnownMesh known(claim, mesh, domain.complex.kind, options.check);
+  auto verdict = judged_within(*options.within, claim, known, domain, options.check,
+                               against.bent ? &*against.bent : nullptr);
+  if (!verdict) return std::nullopt;
+  check::judge_quality(mesh, &against.judged(), options.within->squared(domain.complex),
+                       options.check, *verdict);
+  return std::move(*verdict);
+}
+
 void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
   output.begin("reading " + path);
   auto loaded = load_mesh(path, options.input, options.check.threads);
@@ -92,25 +116,28 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  if (options.claim == Claim::kComplex) {
-    const std::string fault = check::fault_of_demands(loaded->mesh, options.check.complex);
-    if (!fault.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
-      return;
-    }
+  const Claim claim = options.claim.value_or(Claim::kDelaunay);
+  const std::string fault = check::fault_of_claim(claim, loaded->mesh, options.check);
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
+    return;
   }
   if (misses_measures(path, loaded->mesh, options, output)) return;
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
-  const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
-                                    options.input.duplicates, options.check);
+  auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, options.check);
   output.notes(loaded->notes);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
+  check::Causes causes = check::causes(*verdict, loaded->mesh, [&](const Mesh& mended) {
+    return judged_again(verdict->claim(), mended, nullptr, options.check);
+  });
+  verdict->causes = std::move(causes.found);
   Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
-  if (const auto note = note_of_complex(*verdict, loaded->mesh, path)) {
-    notes.of_verdict.push_back(*note);
+  for (const auto& note :
+       {note_of_complex(*verdict, path, causes.as_complex), note_of_merging(*loaded)}) {
+    if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
@@ -127,7 +154,11 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
     output.error(judged.error().code, "mesh", path, judged.error().message);
     return;
   }
-  const Notes notes{{}, notes_without_domain(judged->verdict, judged->named, path)};
+  Notes notes{{}, notes_without_domain(judged->verdict, judged->named, path)};
+  // What is not in memory is not judged as a complex.
+  if (const auto note = note_of_complex(judged->verdict, path, std::nullopt)) {
+    notes.of_verdict.push_back(*note);
+  }
   report_verdict(path, judged->verdict, judged->named, notes, options, nullptr, output);
 }
 
@@ -186,8 +217,12 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim =
       options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
-  const auto verdict = judged_against(path, claim, *loaded, against, options, output);
+  auto verdict = judged_against(path, claim, *loaded, against, options, output);
   if (!verdict) return;
+  check::Causes causes = check::causes(*verdict, mesh, [&](const Mesh& mended) {
+    return judged_again(claim, mended, against, options);
+  });
+  verdict->causes = std::move(causes.found);
   Notes notes{loaded->notes, {}};
   std::optional<std::string> weaker;
   if (!options.claim) weaker = note_of_weaker_claim(*verdict);
@@ -195,7 +230,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const bool has_merged = options.said.merged_slope.has_value();
   const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
-  for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
+  for (const auto& note :
+       {remedy(*verdict, judged, options.check), lone, weaker, note_of_merging(*loaded)}) {
     if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);
@@ -227,6 +263,11 @@ ExitCode run(CheckOptions& options) {
   options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {
     check_against_domain(options, output);
+  } else if (options.claim == Claim::kVoronoi) {
+    const VoronoiQuestion question{options.input, options.within, options.box, options.check};
+    for (const std::string& cells : options.meshes) {
+      check_voronoi(cells, question, *options.pictures, output);
+    }
   } else {
     for (const std::string& mesh : options.meshes) {
       options.memory ? check_part_after_part(mesh, options, output)

@@ -31,6 +31,19 @@ Integer least_common_multiple(const Integer& a, const Integer& b) {
   return result;
 }
 
+Integer common_denominator(std::span<const Rational> numbers, Integer of_others) {
+  for (const Rational& number : numbers) {
+    const Integer& own = number.get_den();
+    if (mpz_divisible_p(of_others.get_mpz_t(), own.get_mpz_t()) != 0) continue;
+    of_others = least_common_multiple(of_others, own);
+  }
+  return of_others;
+}
+
+Integer numerator_over(const Integer& denominator, const Rational& value) {
+  return value.get_num() * exact_quotient(denominator, value.get_den());
+}
+
 void add_product(Integer& sum, const Integer& a, const Integer& b) {
   mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
@@ -44,10 +57,6 @@ Integer exact_quotient(const Integer& dividend, const Integer& divisor) {
   mpz_divexact(result.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
   return result;
 }
-
-// ---- Number text ----
-
-// ---- Reading ----
 
 namespace {
 
@@ -182,8 +191,6 @@ Result read_number(std::string_view token, NumberReading reading) {
   return exact_value(value);
 }
 
-// ---- Writing ----
-
 namespace {
 
 constexpr mpfr_prec_t kDoublePrecision = 53;
@@ -281,8 +288,6 @@ std::string sum_of_roots_to_decimal(std::span<const Rational> values) {
 std::string number_libraries() {
   return std::string("GMP ") + gmp_version + ", MPFR " + mpfr_get_version();
 }
-
-// ---- Exhausted memory ----
 
 namespace {
 
