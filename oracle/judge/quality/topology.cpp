@@ -141,7 +141,9 @@ Rational full_size(const Mesh& mesh, const Simplex& simplex) {
   const Point origin = mesh.point(simplex[0]), u = mesh.point(simplex[1]) - origin;
   if (simplex.size() == 2) return abs(u[0]);
   const Point v = mesh.point(simplex[2]) - origin;
-  if (simplex.size() == 3) return abs(Rational(u[0] * v[1] - u[1] * v[0])) / 2;
+  if (simplex.size() == 3) {
+    return abs(cross_product({u[0], u[1], 0}, {v[0], v[1], 0})[2]) / 2;
+  }
   return abs(inner_product(cross_product(u, v), mesh.point(simplex[3]) - origin)) / 6;
 }
 
