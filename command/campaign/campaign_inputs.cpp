@@ -15,6 +15,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::cli {
 namespace {

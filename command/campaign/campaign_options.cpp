@@ -13,6 +13,7 @@
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
 #include "fuzz/campaign/input.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
 
@@ -54,8 +55,8 @@ void add_files(CLI::App& command, SubjectOptions& options) {
           "--mesh", options.mesh_name,
           "The name of the file to which the program writes the mesh (default: x.ele). {mesh} "
           "stands for this name; if the program chooses the name itself, give that one, such as "
-          "x.1.ele for tetgen. Its extension selects the format: .ele, .qhull-i, .off, .mesh, "
-          ".msh, .vtk, .vtu, .tet, .json")
+          "x.1.ele for tetgen. Its extension selects the format: " +
+              formats::endings_of(&formats::Format::has_mesh))
       ->option_text("NAME");
   command.add_flag("--stdin", options.reads_stdin, "The program reads the input from stdin");
   command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
@@ -224,14 +225,10 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
                        subject.input_name);
   }
   const std::string mesh = formats::extension(subject.mesh_name);
-  constexpr std::array<std::string_view, 9> kMeshes = {".ele", ".qhull-i", ".off", ".mesh", ".msh",
-                                                       ".vtk", ".vtu",     ".tet", ".json"};
-  if (std::find(kMeshes.begin(), kMeshes.end(), mesh) == kMeshes.end()) {
-    return fmt::format(
-        "expected a name of the mesh that ends in .ele, .qhull-i, .off, .mesh, .msh, .vtk, .vtu, "
-        ".tet or "
-        ".json, found {}",
-        subject.mesh_name);
+  const formats::Format* const format = formats::format_of(mesh);
+  if (format == nullptr || !format->has_mesh()) {
+    return fmt::format("expected a name of the mesh that ends in one of {}, found {}",
+                       formats::endings_of(&formats::Format::has_mesh), subject.mesh_name);
   }
   if (domains && options.dimension != 2 && options.dimension != 3) {
     return "expected --dimension 2 or 3 for domains";

@@ -25,6 +25,7 @@
 #include "command/output/overwriting.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -353,11 +354,9 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "has neither points nor simplices), 4 interrupted or stopped by --limit, 5 internal "
       "error.");
   command
-      ->add_option(
-          "mesh", options->meshes,
-          "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, "
-          ".obj, .ply, .tet, .npz, .qhull-i, .npy (with --points); - for standard input, in any of "
-          "these formats")
+      ->add_option("mesh", options->meshes,
+                   fmt::format("Meshes: {}; - for standard input, in any of these formats",
+                               formats::endings_in_help(&formats::Format::has_mesh)))
       ->required();
   add_claim_option(*command, options->claim,
                    "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
@@ -366,9 +365,9 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option(
           "--domain", options->domain,
-          "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, "
-          ".msh, .vtk, .vtu, .vtp. The dangling triangles and edges of the mesh are read from "
-          "the .face and the .edge file beside the .ele")
+          fmt::format("The domain that the mesh must fill: {}. The dangling triangles and edges of "
+                      "the mesh are read from the .face and the .edge file beside the .ele",
+                      formats::endings_in_help(&formats::Format::has_domain)))
       ->option_text("FILE");
   add_domain_options(*command, options->said, true);
   add_within_option(*command, options->within);

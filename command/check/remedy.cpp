@@ -6,6 +6,7 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"

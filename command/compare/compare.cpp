@@ -16,11 +16,9 @@
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "kernel/exact/number.hpp"
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
-#include "oracle/formats/ply.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
@@ -74,13 +72,8 @@ formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Diff
   return file;
 }
 
-using DifferenceWriter = void (*)(std::ostream&, const formats::ElementFile&);
-DifferenceWriter writer_of_difference(const std::string& path) {
-  const std::string end = formats::extension(path);
-  if (end == ".vtu") return formats::write_vtu;
-  if (end == ".msh") return formats::write_gmsh;
-  if (end == ".obj") return formats::write_obj;
-  return end == ".ply" ? formats::write_ply : nullptr;
+formats::ElementWriter writer_of_difference(const std::string& path) {
+  return formats::writer_of(formats::extension(path));
 }
 
 // Why the difference of these meshes is no file for viewers; empty if it is one.
@@ -169,8 +162,8 @@ std::string output_fault(const CompareOptions& options) {
   std::vector<Written> written;
   if (!options.output_file.empty()) written.push_back({"what differs", options.output_file});
   if (!written.empty() && writer_of_difference(options.output_file) == nullptr) {
-    return fmt::format("expected -o OUT.vtu, OUT.msh, OUT.obj or OUT.ply, found {}",
-                       options.output_file);
+    return fmt::format("expected -o OUT{}, found {}",
+                       fmt::join(formats::written_endings(), ", OUT"), options.output_file);
   }
   std::vector<std::string> read = files_of_mesh(options.a);
   for (std::string& path : files_of_mesh(options.b)) read.push_back(std::move(path));
@@ -281,9 +274,10 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option(
           "-o,--output", options->output_file,
-          "Also write the simplices that only one of the meshes has, for viewers. In .vtu and "
-          ".msh, those of A have the label 1 and those of B the label 2; .obj and .ply have "
-          "their surfaces")
+          fmt::format("Also write the simplices that only one of the meshes has, for viewers: {}. "
+                      "Where the format has labels, those of A have the label 1 and those of B "
+                      "the label 2; .obj and .ply have their surfaces",
+                      fmt::join(formats::written_endings(), ", ")))
       ->option_text("OUT.vtu");
   add_page_option(*command, options->html,
                   "the simplices that differ, those of A in one colour and those of B in another");

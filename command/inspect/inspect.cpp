@@ -17,6 +17,8 @@
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::cli {
 
@@ -107,9 +109,9 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       "undecided in spite of --decide, 5 internal error.");
   command
       ->add_option("input", options->inputs,
-                   "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; domains: .poly, "
-                   ".smesh, .stl, .ply, "
-                   ".obj, .mesh, .msh, .vtk, .vtu, .vtp")
+                   fmt::format("Points: {}; domains: {}",
+                               formats::endings_in_help(&formats::Format::has_points),
+                               formats::endings_in_help(&formats::Format::has_domain)))
       ->required();
   command
       ->add_option("--subsets", options->points.subsets,

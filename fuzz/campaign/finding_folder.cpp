@@ -21,6 +21,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 

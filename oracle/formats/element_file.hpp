@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
@@ -79,10 +79,5 @@ bool is_of_plane(const ElementFile& file);
 // The visible surface of the elements: the triangles, and the facets of only one tetrahedron, with
 // their vertices counterclockwise seen from outside if the tetrahedra are positively oriented.
 std::vector<Simplex> surface_of(const ElementFile& file);
-
-// The surface as a domain: edges are segments; triangles and polygons are polygons in space, and in
-// the plane their edges are segments if no edges are listed. Vertices that belong only to cells are
-// left out: they belong to the mesh, not to its domain. Errors: curved elements; nothing but cells.
-Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name);
 
 }  // namespace circumspect::formats

@@ -1,5 +1,4 @@
 // Elements of all dimensions: what Medit, Gmsh and others write, and .tet.
-#include "oracle/formats/element_formats.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -7,8 +6,11 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "oracle/formats/element_domain.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/obj.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/surface_formats.hpp"
+#include "oracle/formats/tet.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 #include "properties/arguments/run.hpp"
 

@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/mesh_formats.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/other_kinds.hpp"
+#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -105,7 +106,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   // VTK's XML files are read, but not under the extension of another format, such as that of VTK's
   // legacy format.
   if (is_vtu(source.text)) {
-    if (format_of(end) == nullptr || end == ".vtu" || end == ".vtp") return std::nullopt;
+    const Format* const format = format_of(end);
+    if (format == nullptr || format->elements == read_vtu) return std::nullopt;
     return "XML (if it is a mesh of VTK, give its name the extension .vtu)";
   }
   const Source beginning{source.name, source.text.substr(0, kLongestBeginning)};

@@ -1,3 +1,5 @@
+#include "oracle/formats/gmsh.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -5,7 +7,6 @@
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
-#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/gmsh_types.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

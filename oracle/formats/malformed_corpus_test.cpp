@@ -9,6 +9,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::formats {
 namespace {

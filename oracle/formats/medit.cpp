@@ -1,8 +1,9 @@
+#include "oracle/formats/medit.hpp"
+
 #include <array>
 #include <cctype>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/element_formats.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -249,9 +250,11 @@ void write_medit(std::ostream& out, const ElementFile& file) {
   const auto write = [&](const char* keyword, const SimplexFile& cells) {
     if (cells.simplices.empty()) return;
     out << keyword << " " + std::to_string(cells.simplices.size()) + "\n";
-    for (Simplex cell : cells.simplices) {
+    for (std::size_t i = 0; i < cells.simplices.size(); ++i) {
+      Simplex cell = cells.simplices[i];
       for (Vertex& v : cell) v = index_of_place(place_of_index(v, file.points.first_index), 1);
-      out << joined(cell) + " 0\n";
+      const Vertex reference = cells.labels.empty() ? 0 : cells.labels[i];
+      out << joined(cell) + " " + std::to_string(reference) + "\n";
     }
   };
   write("Edges", file.edges);

@@ -1,8 +1,9 @@
+#include "oracle/formats/obj.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

@@ -1,7 +1,8 @@
+#include "oracle/formats/off.hpp"
+
 #include <algorithm>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {
 namespace {

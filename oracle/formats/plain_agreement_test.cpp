@@ -11,6 +11,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/same_values_test.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {

@@ -1,7 +1,8 @@
+#include "oracle/formats/tet.hpp"
+
 #include <algorithm>
 
 #include "oracle/formats/bytes/mixed_text.hpp"
-#include "oracle/formats/element_formats.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -1,8 +1,9 @@
+#include "oracle/formats/vtu.hpp"
+
 #include <array>
 #include <utility>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu_arrays.hpp"
 #include "oracle/model/exact_mesh.hpp"
