@@ -55,7 +55,7 @@ formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Diff
   file.points.dimension = a.dimension();
   file.points.points = a.exact_points();
   const std::vector<Point> more = b.exact_points();
-  file.points.points.insert(file.points.points.end(), more.begin(), more.end());
+  for (const Point& point : more) file.points.points.push_back(point);
   const auto add = [&file](const std::vector<Simplex>& simplices, Vertex first, Vertex label) {
     for (Simplex simplex : simplices) {
       for (Vertex& v : simplex) v += first;
@@ -63,7 +63,7 @@ formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Diff
                          : simplex.size() == 3 ? formats::ElementShape::kPolygon
                                                : formats::ElementShape::kTetrahedron;
       if (simplex.size() < 2 || simplex.size() > 4) continue;
-      formats::add_element(file, shape, std::move(simplex), "", 0, label);
+      formats::add_element(file, shape, simplex, "", 0, label);
     }
   };
   add(found.simplices_only_in_a, 0, 1);

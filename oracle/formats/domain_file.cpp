@@ -62,7 +62,7 @@ Status take_points(DomainFile& file, PointFile points, std::size_t line) {
   }
   file.dimension = points.dimension;
   file.first_index = points.first_index;
-  file.input.points = std::move(points.points);
+  file.input.points = points.points.points();
   return {};
 }
 

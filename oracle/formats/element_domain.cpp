@@ -134,7 +134,7 @@ Result<DomainFile> plane_or_space_of(const ElementFile& elements, const std::str
   DomainFile taken = taken_for_plane(std::move(*domain));
   if (!taken.flat || elements.edges.simplices.empty()) return taken;
   ElementFile plane = elements;
-  for (Point& point : plane.points.points) point.pop_back();
+  plane.points.points.drop_last_column();
   plane.points.dimension = 2;
   domain = domain_of(plane, name);
   if (!domain) return domain;

@@ -10,8 +10,9 @@ namespace circumspect::formats {
 
 namespace {
 
-void add_to(SimplexFile& list, Simplex vertices, std::size_t line, std::optional<Vertex> label) {
-  list.simplices.push_back(std::move(vertices));
+void add_to(SimplexFile& list, std::span<const Vertex> vertices, std::size_t line,
+            std::optional<Vertex> label) {
+  list.simplices.push_back(vertices);
   list.lines.push_back(line);
   if (label) list.labels.push_back(*label);
 }
@@ -32,31 +33,31 @@ std::size_t fewest_vertices(ElementShape shape) {
   }
 }
 
-void add_polygon(ElementFile& file, Simplex vertices, std::string_view name, std::size_t line,
-                 std::optional<Vertex> label) {
+void add_polygon(ElementFile& file, std::span<const Vertex> vertices, std::string_view name,
+                 std::size_t line, std::optional<Vertex> label) {
   if (vertices.size() == 3) {
-    add_to(file.triangles, std::move(vertices), line, label);
+    add_to(file.triangles, vertices, line, label);
     return;
   }
   if (!file.first_other) file.first_other = {std::string(name), line};
-  add_to(file.polygons, std::move(vertices), line, label);
+  add_to(file.polygons, vertices, line, label);
   file.triangles_before.push_back(file.triangles.simplices.size());
 }
 
-void add_strip(ElementFile& file, const Simplex& vertices, std::size_t line,
+void add_strip(ElementFile& file, std::span<const Vertex> vertices, std::size_t line,
                std::optional<Vertex> label) {
   for (std::size_t i = 0; i + 2 < vertices.size(); ++i) {
     Simplex triangle = {vertices[i], vertices[i + 1], vertices[i + 2]};
     if (i % 2 == 1) std::swap(triangle[0], triangle[1]);  // all have one side in front
-    add_to(file.triangles, std::move(triangle), line, label);
+    add_to(file.triangles, triangle, line, label);
   }
 }
 
 }  // namespace
 
-std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
-                                       std::string_view name, std::size_t line,
-                                       std::optional<Vertex> label) {
+std::optional<std::string> add_element(ElementFile& file, ElementShape shape,
+                                       std::span<const Vertex> vertices, std::string_view name,
+                                       std::size_t line, std::optional<Vertex> label) {
   const std::size_t fewest = fewest_vertices(shape);
   if (vertices.size() < fewest) {
     return std::string(name) + " of " + std::to_string(fewest) +
@@ -67,25 +68,27 @@ std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Si
       break;
     case ElementShape::kPolyline:
       for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-        add_to(file.edges, {vertices[i], vertices[i + 1]}, line, label);
+        add_to(file.edges, vertices.subspan(i, 2), line, label);
       }
       break;
-    case ElementShape::kPixel:
-      std::swap(vertices[2], vertices[3]);
-      add_polygon(file, std::move(vertices), name, line, label);
+    case ElementShape::kPixel: {
+      Simplex around(vertices.begin(), vertices.end());
+      std::swap(around[2], around[3]);
+      add_polygon(file, around, name, line, label);
       break;
+    }
     case ElementShape::kPolygon:
-      add_polygon(file, std::move(vertices), name, line, label);
+      add_polygon(file, vertices, name, line, label);
       break;
     case ElementShape::kStrip:
       add_strip(file, vertices, line, label);
       break;
     case ElementShape::kTetrahedron:
-      add_to(file.tetrahedra, std::move(vertices), line, label);
+      add_to(file.tetrahedra, vertices, line, label);
       break;
     case ElementShape::kOtherSolid:
       if (!file.first_other) file.first_other = {std::string(name), line};
-      add_to(file.other_solids, std::move(vertices), line, label);
+      add_to(file.other_solids, vertices, line, label);
       break;
     case ElementShape::kCurved:
       if (!file.first_curved) file.first_curved = {std::string(name), line};
@@ -97,7 +100,7 @@ std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Si
 void finish_elements(ElementFile& file) {
   for (SimplexFile* const list :
        {&file.edges, &file.triangles, &file.polygons, &file.tetrahedra, &file.other_solids}) {
-    list->vertices_per_simplex = size_of_each(list->simplices);
+    list->vertices_per_simplex = list->simplices.columns();
     list->first_index = file.points.first_index;
   }
 }
@@ -113,20 +116,19 @@ TopElements top_elements(ElementFile& file) {
   TopElements top;
   for (SimplexFile* const list : {&file.edges, &file.triangles, &file.tetrahedra}) {
     if (list->simplices.empty()) continue;
-    std::vector<Simplex>& lower = top.simplices.simplices;
-    top.faces.insert(top.faces.end(), std::make_move_iterator(lower.begin()),
-                     std::make_move_iterator(lower.end()));
+    for (Simplex face : top.simplices.simplices) top.faces.push_back(std::move(face));
     top.simplices = std::move(*list);
   }
   return top;
 }
 
 std::vector<Simplex> surface_of(const ElementFile& file) {
-  std::vector<Simplex> surface = file.triangles.simplices;
-  for_each_facet(facet_uses(file.tetrahedra.simplices), [&](std::span<const FacetUse> uses) {
+  std::vector<Simplex> surface = file.triangles.simplices.lists();
+  const std::vector<Simplex> tetrahedra = file.tetrahedra.simplices.lists();
+  for_each_facet(facet_uses(tetrahedra), [&](std::span<const FacetUse> uses) {
     if (uses.size() != 1) return;
     const std::size_t place = uses.front().opposite;
-    Simplex facet = facet_opposite(file.tetrahedra.simplices[uses.front().simplex], place);
+    Simplex facet = facet_opposite(tetrahedra[uses.front().simplex], place);
     if (place % 2 == 0) std::swap(facet[0], facet[1]);
     surface.push_back(std::move(facet));
   });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,9 +57,9 @@ struct ElementFile {
 // Adds an element. `name`: "a hexahedron", for the message if it cannot be judged. If it has too
 // few vertices for its shape, returns what was expected: "a triangle of 3 vertices or more".
 // `label`: the group that the file gives it, if the file does so for all elements.
-std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
-                                       std::string_view name, std::size_t line,
-                                       std::optional<Vertex> label = {});
+std::optional<std::string> add_element(ElementFile& file, ElementShape shape,
+                                       std::span<const Vertex> vertices, std::string_view name,
+                                       std::size_t line, std::optional<Vertex> label = {});
 
 // Computes what follows from the simplices, once all have been added.
 void finish_elements(ElementFile& file);

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/gmsh.hpp"
@@ -14,6 +15,7 @@
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/qhull.hpp"
 #include "oracle/formats/stl.hpp"
+#include "oracle/formats/su2.hpp"
 #include "oracle/formats/tet.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtk.hpp"
@@ -100,10 +102,10 @@ Result<Contents> mesh_of_off(const Source& source, NumberReading reading) {
   if (!file) return tl::unexpected(file.error());
   const SimplexFile& faces = file->faces;
   for (std::size_t i = 0; i < faces.simplices.size(); ++i) {
-    if (faces.simplices[i].size() == 3) continue;
+    if (faces.simplices.size_of(i) == 3) continue;
     return tl::unexpected(
         FormatError{source.name, faces.lines[i], "a triangle",
-                    "a face with " + std::to_string(faces.simplices[i].size()) + " vertices"});
+                    "a face with " + std::to_string(faces.simplices.size_of(i)) + " vertices"});
   }
   RawPoints points{std::move(file->points), {}, source.name};
   return Contents{std::move(file->faces), std::move(points)};
@@ -117,7 +119,7 @@ Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
         FormatError{source.name, 0, "a mesh, with the key \"simplices\"", "points alone"});
   }
   RawPoints points{std::move(file->points), std::move(file->weights), source.name};
-  return Contents{std::move(file->simplices), std::move(points), std::move(file->faces.simplices)};
+  return Contents{std::move(file->simplices), std::move(points), file->faces.simplices.lists()};
 }
 
 // The points of x.1.poly may be in x.1.node.
@@ -179,6 +181,7 @@ bool is_medit(const Beginning& file) { return is_medit_keyword(file.first_token)
 bool is_gmsh(const Beginning& file) { return is_gmsh_keyword(file.first_token); }
 bool begins_as_vtk(const Beginning& file) { return is_vtk(file.text); }
 bool begins_as_vtu(const Beginning& file) { return is_vtu(file.text); }
+bool is_su2(const Beginning& file) { return is_su2_keyword(file.first_token); }
 bool is_tet(const Beginning& file) { return file.second_token == "vertices"; }
 bool is_obj(const Beginning& file) { return is_obj_keyword(file.first_token); }
 bool is_ply(const Beginning& file) { return file.first_token == "ply"; }
@@ -219,6 +222,8 @@ constexpr std::array kFormats = {
            .is_told = is_tet,
            .elements = read_tet,
            .are_cells = true},
+    Format{.endings = {".inp"}, .is_told = is_abaqus, .elements = read_abaqus},
+    Format{.endings = {".su2"}, .is_told = is_su2, .elements = read_su2},
     Format{.endings = {".obj"}, .is_told = is_obj, .elements = read_obj, .write = write_obj},
     Format{.endings = {".ply"},
            .is_told = is_ply,

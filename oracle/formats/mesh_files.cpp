@@ -82,13 +82,14 @@ Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
 // one. Fewer vertices, or differing numbers of them, are faults of the mesh, and left to the judge.
 Status check_sizes(const SimplexFile& file, std::size_t dimension, const std::string& name) {
   const std::size_t most = dimension + 1;
+  if (file.simplices.columns() > 0 && file.simplices.columns() <= most) return {};
   for (std::size_t i = 0; i < file.simplices.size(); ++i) {
-    if (file.simplices[i].size() <= most) continue;
+    if (file.simplices.size_of(i) <= most) continue;
     return tl::unexpected(FormatError{
         name, file.lines[i],
         "at most " + std::to_string(most) + " vertices of a simplex in dimension " +
             std::to_string(dimension),
-        std::to_string(file.simplices[i].size()) +
+        std::to_string(file.simplices.size_of(i)) +
             " (elements of second order and facets that are no simplices are not judged)"});
   }
   return {};
@@ -116,7 +117,7 @@ Status read_faces(const std::string& name, MeshFile& read) {
     const Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
     if (!file) return tl::unexpected(file.error());
     std::vector<Simplex>& faces = read.mesh.faces;
-    faces.insert(faces.end(), file->simplices.begin(), file->simplices.end());
+    for (Simplex face : file->simplices) faces.push_back(std::move(face));
     add_markers(*file, read.mesh.first_index, read.face_markers);
   }
   return {};
@@ -257,29 +258,29 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   Result<RawPoints> points = points_of_mesh(request, path, *format, *contents);
   if (!points) return tl::unexpected(points.error());
   Mesh& mesh = file.mesh;
-  mesh.coordinates = numbers_of(points->points.points, points->points.dimension);
+  Result<std::vector<Rational>> weights = weights_of(*points, request.weights);
+  mesh.coordinates = std::move(points->points.points).as_numbers(points->points.dimension);
   mesh.first_index = points->points.first_index;
   file.points_name = points->name;
   file.notes = std::move(contents->notes);
   SimplexFile& simplices = contents->simplices;
-  if (may_be_of_plane(request) &&
-      !needs_space(simplices.simplices, simplices.vertices_per_simplex, contents->faces)) {
+  if (may_be_of_plane(request) && !needs_space(simplices, contents->faces)) {
     leave_out_height(file, request.domain_height);
   }
-  const std::vector<Vertex> labels = std::move(simplices.labels);
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());
   }
   const ListedSimplices listed{simplices.simplices.size(), simplices.vertices_per_simplex, path};
-  count_from_zero(simplices.simplices, mesh.first_index);
-  mesh.simplices = IndexLists(std::move(simplices.simplices));
+  simplices.simplices.replace_each(
+      [first = mesh.first_index](Vertex index) { return place_of_index(index, first); });
+  mesh.simplices = std::move(simplices.simplices).as_index_lists();
   if (request.with_faces) {
     mesh.faces = std::move(contents->faces);
     if (Status read = read_faces(path, file); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
   }
   if (!request.kept_labels.empty()) {
-    if (Status kept = keep_labelled(request.kept_labels, labels, file); !kept) {
+    if (Status kept = keep_labelled(request.kept_labels, simplices.labels.values(), file); !kept) {
       return tl::unexpected(kept.error());
     }
   }
@@ -291,7 +292,6 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   } else if (is_of_domain_dimension(request, mesh)) {
     take_for_faces(file);
   }
-  Result<std::vector<Rational>> weights = weights_of(*points, request.weights);
   if (!weights) return tl::unexpected(weights.error());
   if (!weights->empty()) mesh.weights = numbers_of(*weights);
   return file;

@@ -9,6 +9,9 @@
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/configuration.hpp"
+#include "oracle/formats/bytes/point_rows.hpp"
+#include "oracle/formats/bytes/runs.hpp"
+#include "oracle/formats/bytes/simplex_rows.hpp"
 
 namespace circumspect::formats {
 
@@ -17,7 +20,7 @@ inline constexpr std::size_t kLargestDimension = 16;
 
 struct PointFile {
   std::size_t dimension = 0;  // the number of coordinates of every point
-  std::vector<Point> points = {};
+  PointRows points = {};
   std::vector<std::vector<Rational>> attributes = {};  // empty, or one row a point
   std::vector<std::string> markers = {};               // empty, or one a point, as written
   Vertex first_index = 0;                              // the user's index of the first point
@@ -26,19 +29,11 @@ struct PointFile {
 };
 
 struct SimplexFile {
-  std::vector<Simplex> simplices = {};   // indices of points exactly as in the file
-  std::vector<std::size_t> lines = {};   // the line of each, for messages
-  std::vector<Vertex> labels = {};       // the label of each in the file; empty if there are none
+  SimplexRows simplices = {};            // indices of points exactly as in the file
+  Runs<std::size_t> lines = {};          // the line of each, for messages
+  Runs<Vertex> labels = {};              // the label of each in the file; empty if there are none
   std::size_t vertices_per_simplex = 0;  // 0 if they differ
   Vertex first_index = 0;                // the user's index of the first simplex
 };
-
-// The number of vertices that all simplices have; 0 if they differ or there are none.
-inline std::size_t size_of_each(const std::vector<Simplex>& simplices) {
-  for (const Simplex& simplex : simplices) {
-    if (simplex.size() != simplices.front().size()) return 0;
-  }
-  return simplices.empty() ? 0 : simplices.front().size();
-}
 
 }  // namespace circumspect::formats

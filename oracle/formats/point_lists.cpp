@@ -169,9 +169,9 @@ Result<PointFile> read_xyz(const Source& source, NumberReading reading) {
       return lines.fail(std::to_string(file.dimension) + " coordinates, as on the first line",
                         std::to_string(lines.size()));
     }
-    Result<Point> point = lines.numbers(0, lines.size(), reading);
+    file.points.set_columns(file.dimension);
+    const Status point = lines.add_numbers(0, lines.size(), reading, file.points);
     if (!point) return tl::unexpected(point.error());
-    file.points.push_back(std::move(*point));
   }
   if (!file.points.empty()) return file;
   return lines.fail_at(0, "a line of coordinates for each point");

@@ -26,11 +26,12 @@ Result<std::size_t> read_dimension(Lines& lines) {
   return dimension;
 }
 
-Result<Point> read_point(const Lines& lines, std::size_t dimension, NumberReading reading) {
+Status read_point(const Lines& lines, std::size_t dimension, NumberReading reading,
+                  PointRows& points) {
   if (lines.size() != dimension) {
     return lines.fail(std::to_string(dimension) + " coordinates", std::to_string(lines.size()));
   }
-  return lines.numbers(0, dimension, reading);
+  return lines.add_numbers(0, dimension, reading, points);
 }
 
 }  // namespace
@@ -43,14 +44,14 @@ Result<PointFile> read_qhull_points(const Source& source, NumberReading reading)
   if (!count) return tl::unexpected(count.error());
   PointFile file;
   file.dimension = *dimension;
+  file.points.set_columns(*dimension);
   for (std::size_t i = 0; i < *count; ++i) {
     if (!lines.next()) {
       return lines.fail("point " + std::to_string(i + 1) + " of " + std::to_string(*count),
                         "the end of the file");
     }
-    Result<Point> point = read_point(lines, *dimension, reading);
+    const Status point = read_point(lines, *dimension, reading, file.points);
     if (!point) return tl::unexpected(point.error());
-    file.points.push_back(std::move(*point));
   }
   if (lines.next()) return lines.fail_at(0, "the end of the file after the last point");
   return file;
@@ -61,18 +62,19 @@ Result<SimplexFile> read_qhull_simplices(const Source& source) {
   const Result<std::size_t> count = read_count(lines, "the number of facets");
   if (!count) return tl::unexpected(count.error());
   SimplexFile file;
+  Simplex simplex;
   for (std::size_t i = 0; i < *count; ++i) {
     if (!lines.next()) {
       return lines.fail("facet " + std::to_string(i + 1) + " of " + std::to_string(*count),
                         "the end of the file");
     }
-    Result<Simplex> simplex = lines.integers(0, lines.size(), "a vertex");
-    if (!simplex) return tl::unexpected(simplex.error());
-    file.simplices.push_back(std::move(*simplex));
+    const Status vertices = lines.integers(0, lines.size(), "a vertex", simplex);
+    if (!vertices) return tl::unexpected(vertices.error());
+    file.simplices.push_back(simplex);
     file.lines.push_back(lines.line());
   }
   if (lines.next()) return lines.fail_at(0, "the end of the file after the last facet");
-  file.vertices_per_simplex = size_of_each(file.simplices);
+  file.vertices_per_simplex = file.simplices.columns();
   return file;
 }
 

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/base64.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/vtu.hpp"
 #include "oracle/formats/vtu_arrays.hpp"
