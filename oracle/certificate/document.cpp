@@ -121,13 +121,11 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
   write_because(lines, refutation);
 }
 
-// ---- Document ----
-
 namespace {
 
 // What certificates do not cover; empty if they cover this.
 std::string limit(const ExactMesh& mesh, Claim claim) {
-  if (is_about_a_domain(claim) || claim == Claim::kComplex) {
+  if (is_about_a_domain(claim) || is_about_a_list(claim)) {
     return fmt::format(
         "expected triangulation, delaunay or weighted-delaunay for a certificate, found {}",
         name(claim));

@@ -15,8 +15,6 @@
 
 namespace circumspect {
 
-// ---- Rows ----
-
 // Leaves values that are made without an argument as the language makes them: numbers without a
 // value, so that the threads that write them touch the memory first.
 template <class Value>
@@ -96,8 +94,6 @@ class Rows {
   const Value* values_ = nullptr;
 };
 
-// ---- Slices ----
-
 // A part of a list.
 struct Slice {
   std::uint64_t begin = 0;
@@ -128,7 +124,6 @@ struct PartOf {
   }
 };
 
-// ---- Index lists ----
 // Lists of indices, such as the simplices of a mesh: in one piece of memory if all have the same
 // length.
 
