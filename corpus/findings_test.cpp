@@ -63,7 +63,7 @@ std::string first_rule(const Verdict& verdict) {
 
 // A program that writes indices alone means the points that it read.
 std::string rule_of_points(const FindingRow& row) {
-  const auto points = generators::array({points_of(row).points.points, {}});
+  const auto points = generators::array({points_of(row).points.points.points(), {}});
   auto raw = formats::read_mesh({.mesh = row.mesh, .points = row.input});
   if (!raw) return raw.error().to_string();
   const std::vector<Simplex> simplices = raw->mesh.simplices.lists();

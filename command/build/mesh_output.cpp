@@ -68,23 +68,24 @@ formats::PointFile point_file(const ExactMesh& mesh, const std::vector<Duplicate
   formats::PointFile file;
   file.dimension = std::max<std::size_t>(points.ambient_dimension(), 1);
   file.first_index = mesh.first_index;
-  file.points.resize(points.size() + merged.size());
-  if (points.is_weighted()) file.attributes.resize(file.points.size());
+  std::vector<Point> all(points.size() + merged.size());
+  if (points.is_weighted()) file.attributes.resize(all.size());
   for (Vertex v = 0; points.names(v); ++v) {
     const auto place = static_cast<std::size_t>(place_of_index(mesh.label(v), mesh.first_index));
-    file.points[place] = points[v];
+    all[place] = points[v];
     if (points.is_weighted()) file.attributes[place] = {points.weight(v)};
   }
   const auto copy_missing = [&](Vertex from, Vertex to) {
     const auto source = static_cast<std::size_t>(from);
     const auto target = static_cast<std::size_t>(to);
-    if (!file.points[target].empty()) return;
-    file.points[target] = file.points[source];
+    if (!all[target].empty()) return;
+    all[target] = all[source];
     if (points.is_weighted()) file.attributes[target] = file.attributes[source];
   };
   // Of equal points with weights, any may be the one that is left.
   for (const auto& [kept, again] : merged) copy_missing(again, kept);
   for (const auto& [kept, again] : merged) copy_missing(kept, again);
+  file.points = all;
   return file;
 }
 

@@ -21,6 +21,7 @@
 #include "command/subcommands.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"

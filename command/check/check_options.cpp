@@ -15,6 +15,7 @@
 #include "command/options/usage_faults.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/overwriting.hpp"
+#include "oracle/formats/format.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -107,21 +108,19 @@ std::string usage_fault(CheckOptions& options) {
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
-  add_options(
-      command,
-      {{"mesh", "", required(options.meshes),
-        "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, .obj, "
-        ".ply, .tet, .npz, .qhull-i, .npy (with --points); - for standard input, in any of these "
-        "formats"}});
+  add_options(command, {{"mesh", "", required(options.meshes),
+                         fmt::format("Meshes: {}; - for standard input, in any of these formats",
+                                     formats::endings_in_help(&formats::Format::has_mesh))}});
   add_claim_option(command, options.claim,
                    "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
                    "the mesh has more vertices than the domain). Weights are the first attribute "
                    "of a .node file, as for tetgen -w, or the key weights of JSON");
-  add_options(command,
-              {{"--domain", "FILE", into(options.domain),
-                "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, "
-                ".msh, .vtk, .vtu, .vtp. The dangling triangles and edges of the mesh are read "
-                "from the .face and the .edge file beside the .ele"}});
+  add_options(
+      command,
+      {{"--domain", "FILE", into(options.domain),
+        fmt::format("The domain that the mesh must fill: {}. The dangling triangles and edges of "
+                    "the mesh are read from the .face and the .edge file beside the .ele",
+                    formats::endings_in_help(&formats::Format::has_domain))}});
   add_domain_options(command, options.said, true);
   add_within_option(command, options.within);
   const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},

@@ -20,6 +20,8 @@
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::cli {
 
@@ -133,9 +135,10 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   add_options(
       *command,
       {{"input", "", required(options->inputs),
-        "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; meshes: .ele, .tet, .npz, "
-        ".qhull-i, and with --mesh all that check reads; domains: .poly, .smesh, .stl, .ply, "
-        ".obj, .mesh, .msh, .vtk, .vtu, .vtp"},
+         fmt::format("Points: {}; meshes: .ele, .tet, .npz, .qhull-i, and with --mesh all that "
+                     "check reads; domains: {}",
+                     formats::endings_in_help(&formats::Format::has_points),
+                     formats::endings_in_help(&formats::Format::has_domain))},
        {"--subsets", "N", into(options->points.subsets, whole_number()),
         "Test at most N subsets for genericity (default: 200000; 0: all)"},
        {"--simplex", "VERTICES", into(options->points.simplices),

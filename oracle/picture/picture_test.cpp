@@ -7,7 +7,8 @@
 #include <doctest/doctest.h>
 #include <pugixml.hpp>
 
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/vtu.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::picture {
