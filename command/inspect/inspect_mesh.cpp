@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/formats/mesh_formats.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/quality/survey.hpp"
 #include "oracle/judge/quality/topology.hpp"
