@@ -120,9 +120,6 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  if (options.asked == Claim::kComplex) {
-    return "expected a claim of which something is proved, found complex";
-  }
   const bool about_domain = options.asked && is_about_a_domain(*options.asked);
   if (about_domain && !options.domain) {
     return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.asked));

@@ -94,8 +94,6 @@ void sort(std::vector<FaceUse>& uses) { std::sort(uses.begin(), uses.end()); }
 
 // ---- Certificate ----
 
-namespace {
-
 std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   std::vector<Vertex> order(points.size());
   std::iota(order.begin(), order.end(), Vertex{0});
@@ -108,6 +106,8 @@ std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   });
   return order;
 }
+
+namespace {
 
 // Swaps two vertices where that makes the orientation positive.
 std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh,

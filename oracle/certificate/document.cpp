@@ -126,10 +126,11 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
 namespace {
 
 // What certificates do not cover; empty if they cover this.
-std::string limit(const ExactMesh& mesh, Claim claim) {
-  if (is_about_a_domain(claim) || claim == Claim::kComplex) {
+std::string limit(const ExactMesh& mesh, Claim claim, bool holds) {
+  if (is_about_a_domain(claim)) {
     return fmt::format(
-        "expected triangulation, delaunay or weighted-delaunay for a certificate, found {}",
+        "expected complex, triangulation, delaunay or weighted-delaunay for a certificate, found "
+        "{}",
         name(claim));
   }
   const std::size_t dimension = mesh.points.ambient_dimension();
@@ -138,6 +139,7 @@ std::string limit(const ExactMesh& mesh, Claim claim) {
     return fmt::format("expected points of dimension 2 or 3 for a certificate, found dimension {}",
                        dimension);
   }
+  if (claim == Claim::kComplex && holds) return "";  // wherever the points are
   if (mesh.points.dimension() != static_cast<int>(dimension)) {
     return fmt::format(
         "expected points that span the {} for a certificate, found that all of them lie {}",
@@ -152,10 +154,13 @@ std::string limit(const ExactMesh& mesh, Claim claim) {
 }  // namespace
 
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
-  const std::string beyond = limit(mesh, verdict.claim());
+  const std::string beyond = limit(mesh, verdict.claim(), verdict.holds());
   if (!beyond.empty()) return tl::unexpected(beyond);
   auto points = scaled_to_integers(mesh.points);
   if (!points) return tl::unexpected(points.error());
+  if (verdict.holds() && verdict.claim() == Claim::kComplex) {
+    return complex_certificate_of(mesh, std::move(*points));
+  }
   if (verdict.holds()) {
     Certificate certificate = certificate_of(mesh, verdict.claim(), std::move(*points));
     certificate.standing = verdict.unique.value_or(false)      ? "unique"
@@ -178,6 +183,8 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {
   if (const auto* certificate = std::get_if<Certificate>(&document)) {
     write(out, mesh, *certificate);
+  } else if (const auto* of_complex = std::get_if<ComplexCertificate>(&document)) {
+    write(out, mesh, *of_complex);
   } else {
     const auto& refuted = std::get<RefutationWithPoints>(document);
     write(out, mesh, refuted.points, refuted.refutation);

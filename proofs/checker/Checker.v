@@ -22,6 +22,8 @@ Inductive condition :=
   | way_out_shown | polygon_flat | polygon_tiled | vertices_of_domain
   (* domain/ComplexChecker.v *)
   | face_held | segment_in_polygon | rim_listed | one_sided_shown
+  (* alone/MeshAlone.v *)
+  | simplex_proper | simplex_listed | simplices_parted
   (* existence/ImpossibleChecker.v *)
   | vertices_listed | mesh_of_the_domain | fate_shown | reason_shown | clauses_refuted.
 

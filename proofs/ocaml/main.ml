@@ -62,6 +62,8 @@ let condition = function
   | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
   | Face_held -> "face-held" | Segment_in_polygon -> "segment-in-polygon"
   | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
+  | Simplex_proper -> "simplex-proper" | Simplex_listed -> "simplex-listed"
+  | Simplices_parted -> "simplices-parted"
   | Vertices_listed -> "vertices-listed" | Mesh_of_the_domain -> "mesh-of-the-domain"
   | Fate_shown -> "fate-shown"
   | Reason_shown -> "reason-shown" | Clauses_refuted -> "clauses-refuted"
@@ -87,11 +89,13 @@ let domain_claims = List.map (fun claim -> (domain_claim_name claim, claim))
     [ PlcTriangulation; SteinerTriangulation; ConformingDelaunay; Cdt; SteinerCdt ]
 let kinds = [ "enclosed", Enclosed; "hull", Hull ]
 
+let complex = "complex"
+
 (* CLAIM and D of the first line. *)
 let context source claims claim dimension =
   let claimed = match List.assoc_opt claim claims with
     | Some claimed -> claimed
-    | None -> Text.fail source (String.concat " or " (List.map fst claims)) (Text.quote claim) in
+    | None -> Text.fail source (String.concat " or " (complex :: List.map fst claims)) (Text.quote claim) in
   let space, d = match dimension with
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
@@ -137,6 +141,26 @@ let certificate (c : Reading.context) space claimed standing =
          (counts c.d (List.length frame.points) packed.simplex_count)
          (Option.fold standing ~none:"" ~some:(fun word -> snd (List.assoc word standings))), 0) in
   { mesh; compare_domain = None; verdict }
+
+(* A mesh alone: its simplices may be of any dimension. *)
+let mesh_alone (c : Reading.context) space =
+  let certificate, labels = Complex_file.read c in
+  let width = Reading.of_natural certificate.complex_dimension + 1 in
+  let cells = Array.of_list certificate.complex_cells in
+  let vertices k = List.map Option.some cells.(k).cell_vertices in
+  let mesh = { Users_mesh.unit = (certificate.complex_numerator, certificate.complex_denominator); d = c.d;
+               weighted = false; labels = Array.of_list labels; ordered = false;
+               sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.complex_points));
+               simplices = { count = Array.length cells; vertices }; dangling = None } in
+  let one, several = match width with
+    | 1 -> ("point", "points") | 2 -> ("edge", "edges") | 3 -> ("triangle", "triangles")
+    | _ -> ("tetrahedron", "tetrahedra") in
+  let verdict () = match check_alone space certificate with
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted ->
+      (Printf.sprintf "verified: %s, %s, %s" complex (counted (List.length labels) "point" "points")
+         (counted (Array.length cells) one several), 0) in
+  { mesh = lazy mesh; compare_domain = None; verdict }
 
 (* Which kind a domain is, and how much it has of what. *)
 let described (c : domain_certificate) ~is_complex =
@@ -243,6 +267,9 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
 let content source =
   let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
+  | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
+    let c, (), space = context source [ (complex, ()) ] claim dimension in
+    mesh_alone c space
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
     certificate c space claimed None
