@@ -118,6 +118,14 @@ Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
     exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
 Proof. apply Optimality.proposition_4_7. Qed.
 
+(** Section 4.5.3: *A three-dimensional PLC is edge-protected if every edge in it is strongly Delaunay.*
+    Theorem 4.9, the CDT Theorem: *every edge-protected PLC has a CDT.*  This is what it says here.  It is not proved, and
+    nothing rests on it; README.md, "Theorem 4.9", says which lemma is missing. *)
+Definition edge_protected (P : domain 3) : Prop :=
+  forall p q, In (p, q) (domain_segments P) -> strongly_delaunay (domain_vertices P) [p; q].
+Definition theorem_4_9 : Prop := forall P : domain 3, proper_domain P -> what_it_fills P = Enclosed ->
+  piecewise_linear_complex P -> edge_protected P -> exists K, cdt P K.
+
 (** Lemma 4.10, the Constrained Delaunay Lemma, of what walls enclose: the three statements are equivalent.  The vertices [V] are those
     of the mesh; of a triangulation without Steiner points they are those of the domain.  ([solid]: nothing dangles.  The domain need not be
     a piecewise linear complex.) *)

@@ -108,6 +108,12 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   output.notes(loaded->notes);
+  if (verdict->tallies().contains(Rule::kPointsEqual)) {
+    if (write_equal_points(options.certificate, options.mesh, loaded->mesh, *verdict, output)) {
+      report(options, *verdict, loaded->mesh, about, output);
+    }
+    return;
+  }
   const ExactMesh mesh = exact(loaded->mesh);
   output.end_watch();
   const bool written =

@@ -4,11 +4,15 @@
 #include <cstdint>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::certificate {
 
@@ -37,5 +41,19 @@ ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints po
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& certificate);
+
+// Proof that two points of a mesh, whose points are no set, are one.
+struct EqualPoints {
+  ScaledPoints points;
+  Vertex first;
+  Vertex second;
+  std::vector<std::size_t> basis = {};  // points that span the plane or space
+};
+
+// Requires: the two points are equal. Error: why there is none, for people.
+tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, Vertex first,
+                                                       Vertex second);
+
+void write(std::ostream& out, const Mesh& mesh, const EqualPoints& equal);
 
 }  // namespace circumspect::certificate

@@ -33,6 +33,32 @@ std::optional<Evidence> unused_point_evidence(const ExactMesh& mesh, const Verdi
   });
 }
 
+// Where the vertex is that hangs.
+std::optional<Evidence> hanging_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Witness witness) {
+  witness.point = mesh.points[witness.vertices.front()];
+  return overlap_evidence(mesh, points, Rule::kHangingVertex, witness);
+}
+
+// What refutes a mesh alone: some rules can be shown of simplices of full dimension only.
+bool may_be_shown(const ExactMesh& mesh, const Verdict& verdict, Rule rule) {
+  if (verdict.claim() != Claim::kComplex) return true;
+  switch (rule) {
+    case Rule::kUnknownVertex:
+    case Rule::kRepeatedVertex:
+    case Rule::kUnusedPoint:
+      return true;
+    case Rule::kDegenerateSimplex:
+    case Rule::kDuplicateSimplex:
+    case Rule::kOverlap:
+    case Rule::kHangingVertex:
+    case Rule::kFacesCross:
+      return mesh.simplices.front().size() == mesh.points.ambient_dimension() + 1;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdict,
@@ -47,6 +73,14 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       return simplex_evidence(mesh, points, rule);
     case Rule::kUnusedPoint:
       return unused_point_evidence(mesh, verdict, points);
+    case Rule::kPointsEqual:
+      return from_violations(verdict, rule,
+                             [&](const Witness& witness) { return vertices_named(rule, witness); });
+    case Rule::kHangingVertex:
+      return from_violations(verdict, rule, [&](const Witness& witness) {
+        return hanging_evidence(mesh, points, witness);
+      });
+    case Rule::kFacesCross:
     case Rule::kOverlap:
     case Rule::kCoveredTwice:
       return from_violations(verdict, rule, [&](const Witness& witness) {
@@ -72,6 +106,7 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
 std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points) {
   for (const auto& [rule, tally] : verdict.tallies()) {
+    if (!may_be_shown(mesh, verdict, rule)) continue;
     auto evidence = evidence_for(mesh, verdict, points, rule);
     if (evidence) {
       const std::vector<std::size_t>& basis = mesh.points.configuration().hull().basis;
@@ -169,15 +204,22 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
     return certificate;
   }
   auto refutation = refutation_of(mesh, verdict, *points);
-  if (!refutation) {
+  if (!refutation && verdict.claim() != Claim::kComplex) {
     // The witness that is needed may be one that the verdict had no room for.
     const Verdict with_all = check::judge_points(verdict.claim(), mesh, {.max_violations = 0});
     refutation = refutation_of(mesh, with_all, *points);
   }
   if (refutation) return RefutationWithPoints{std::move(*refutation), std::move(*points)};
+  const std::string_view broken = identifier(verdict.tallies().begin()->first);
+  if (verdict.claim() == Claim::kComplex) {
+    return tl::unexpected(fmt::format(
+        "there is no refutation of this mesh: of simplices of a lower dimension, or of another "
+        "than the first, none shows {}",
+        broken));
+  }
   return tl::unexpected(fmt::format(
       "expected a fault of the claim for a refutation, found only {}, which {} does not include",
-      identifier(verdict.tallies().begin()->first), name(verdict.claim())));
+      broken, name(verdict.claim())));
 }
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {
