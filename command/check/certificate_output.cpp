@@ -221,11 +221,7 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
 
 bool write_equal_points(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
                         const Verdict& verdict, Output& output) {
-  const auto named =
-      std::find_if(verdict.violations().begin(), verdict.violations().end(),
-                   [](const Violation& one) { return one.rule == Rule::kPointsEqual; });
-  const auto equal = certificate::equal_points_of(mesh, named->witness.vertices.front(),
-                                                  named->witness.vertices.back());
+  const auto equal = certificate::equal_points_of(mesh, verdict);
   if (!equal) {
     output.error(ExitCode::kUsage, "mesh", mesh_name,
                  fmt::format("{}: {}", mesh_name, equal.error()));

@@ -13,6 +13,7 @@
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
 
@@ -50,9 +51,8 @@ struct EqualPoints {
   std::vector<std::size_t> basis = {};  // points that span the plane or space
 };
 
-// Requires: the two points are equal. Error: why there is none, for people.
-tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, Vertex first,
-                                                       Vertex second);
+// Requires: the verdict, which is about the mesh, names equal points. Error: why there is none, for people.
+tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const Mesh& mesh, const EqualPoints& equal);
 

@@ -73,9 +73,6 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       return simplex_evidence(mesh, points, rule);
     case Rule::kUnusedPoint:
       return unused_point_evidence(mesh, verdict, points);
-    case Rule::kPointsEqual:
-      return from_violations(verdict, rule,
-                             [&](const Witness& witness) { return vertices_named(rule, witness); });
     case Rule::kHangingVertex:
       return from_violations(verdict, rule, [&](const Witness& witness) {
         return hanging_evidence(mesh, points, witness);

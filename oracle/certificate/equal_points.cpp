@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -8,8 +9,11 @@
 
 namespace circumspect::certificate {
 
-tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, Vertex first,
-                                                       Vertex second) {
+tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, const Verdict& verdict) {
+  const auto named =
+      std::find_if(verdict.violations().begin(), verdict.violations().end(),
+                   [](const Violation& one) { return one.rule == Rule::kPointsEqual; });
+  assert(named != verdict.violations().end());
   const std::vector<Point> all = mesh.exact_points();
   std::vector<Point> different = all;
   std::sort(different.begin(), different.end());
@@ -24,8 +28,8 @@ tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, Vertex 
   auto scaled = scaled_to_integers(set);
   if (!scaled) return tl::unexpected(scaled.error());
   EqualPoints made{.points = {dimension, scaled->scale_numerator, scaled->scale_denominator},
-                   .first = first,
-                   .second = second};
+                   .first = named->witness.vertices.front(),
+                   .second = named->witness.vertices.back()};
   for (const Point& point : all) {
     const auto place = std::lower_bound(different.begin(), different.end(), point);
     for (std::size_t axis = 0; axis < dimension; ++axis) {

@@ -242,8 +242,8 @@ Proof.
   pose proof (point_known p s in_words) as Known.
   destruct (Known a Ka) as (qa & Fa & Ra). destruct (Known b Kb) as (qb & Fb & Rb).
   destruct (Known c0 Kc) as (qc & Fc & Rc). destruct (Known d Kd) as (qd & Fd & Rd).
-  pose proof (positive_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw Or) as Pos.
-  pose proof (outside_here t n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw _ _ Ou eq_refl) as Out.
+  pose proof (positive_here n qa qb qc qd pa (arrow_to places b) (arrow_to places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw Or) as Pos.
+  pose proof (outside_here t n qa qb qc qd pa (arrow_to places b) (arrow_to places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw _ _ Ou eq_refl) as Out.
   assert (Co : corners (entry_of Space rows t) = [to_pos a; to_pos b; to_pos c0; to_pos d]) by reflexivity.
   assert (Wa : walls (entry_of Space rows t) = [wall_of (get rows (add r four)); wall_of (get rows (add r five));
     wall_of (get rows (add r six)); wall_of (get rows (add r seven))]) by reflexivity.
@@ -252,12 +252,12 @@ Proof.
     by (rewrite Co; cbn [find_all]; now rewrite Fa, Fb, Fc, Fd).
   assert (Deep : forall sl, (delaunay_claimed m = true -> sl = slope pr [qa; qb; qc; qd]) ->
     forall u v q, below u v = true -> Table.find (to_pos v) (points_of m) = Some q ->
-    rounded s q (Quick.place_of places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
+    rounded s q (arrow_to places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
     depth pr [qa; qb; qc; qd] sl q <= 0 /\ forall st, asked = Some st ->
       settled pr st [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl (to_pos v) q = true).
   { intros sl Sl u1 v1 q B Fq Rq Q1 Q2. rewrite (Sl Q1). unfold below in B. rewrite Q1, Q2 in B. cbn [negb orb] in B.
     unfold settled. apply orb_prop in B. destruct B as [B|B].
-    - pose proof (below_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw q _ Rq B) as L.
+    - pose proof (below_here n qa qb qc qd pa (arrow_to places b) (arrow_to places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw q _ Rq B) as L.
       split; [now apply Z.lt_le_incl|]. intros st _. apply Z.ltb_lt in L. now rewrite L.
     - unfold Table.once, exactly_below, exact_plane in B. rewrite <- Co, Fs, Fq, Co in B.
       set (z := depth pr _ _ q) in *. clearbody z. clear - B. apply orb_prop in B. destruct B as [B|B].

@@ -34,9 +34,9 @@ Definition larger (x y : Word.t) : Word.t := if ltb x y then y else x.
 Definition absolute (x : Word.t) : Word.t := if ltb x zero then sub zero x else x.
 Definition largest (p : arrow) : Word.t :=
   larger (absolute (along_x p)) (larger (absolute (along_y p)) (absolute (along_z p))).
-Definition within (most x : Word.t) : bool := leb (sub zero most) x && leb x most.
+Definition at_most (most x : Word.t) : bool := leb (sub zero most) x && leb x most.
 Definition inside (most : Word.t) (p : arrow) : bool :=
-  within most (along_x p) && within most (along_y p) && within most (along_z p).
+  at_most most (along_x p) && at_most most (along_y p) && at_most most (along_z p).
 
 Definition c27 : Word.t := of_pos 27.
 Definition c30 : Word.t := of_pos 30.
@@ -68,7 +68,7 @@ Variable asked : option standing.
 (** Digits that were left out are none of those that are kept. *)
 Definition fine (n : Word.t) : bool := leb zero n && leb n c60 && (eqb s zero || leb c30 n).
 
-Definition place_of (v : Word.t) : arrow :=
+Definition arrow_to (v : Word.t) : arrow :=
   let k := mul three (sub v one) in
   Arrow (get places k) (get places (add k one)) (get places (add k two)).
 Definition known (most v : Word.t) : bool := leb one v && leb v most.
@@ -162,11 +162,11 @@ Definition quick_simplex (t : positive) : bool :=
   known points_count a && known points_count b && known points_count c && known points_count d &&
   negb (eqb a b) && negb (eqb a c) && negb (eqb a d) &&
   negb (eqb b c) && negb (eqb b d) && negb (eqb c d) &&
-  let pa := place_of a in
-  let pd := place_of d in
+  let pa := arrow_to a in
+  let pd := arrow_to d in
   let eu := arrow_from pa pd in
-  let ev := arrow_from (place_of b) pd in
-  let ew := arrow_from (place_of c) pd in
+  let ev := arrow_from (arrow_to b) pd in
+  let ew := arrow_from (arrow_to c) pd in
   let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
   let most := up one n in
   fine n && inside most eu && inside most ev && inside most ew &&
@@ -185,7 +185,7 @@ Definition quick_simplex (t : positive) : bool :=
       let det' := down28 det in
       let plane := Table.once (fun _ => exact_plane a b c d) in
       fun u v => negb (Pos.ltb t (to_pos u)) ||
-        quick_below n pd slope det' (place_of v) || exactly_below (plane tt) (to_pos v)
+        quick_below n pd slope det' (arrow_to v) || exactly_below (plane tt) (to_pos v)
     else fun _ _ => true in
   quick_wall t zero false b c d (get rows (add r four)) below &&
   quick_wall t one true a c d (get rows (add r five)) below &&
@@ -205,7 +205,7 @@ Definition quick_positive (pa pb pc pd : arrow) : bool :=
   fine n && inside most eu && inside most ev && inside most ew &&
   ltb orientation_margin (dot (leveled n eu) (crossed (leveled n ev) (leveled n ew))).
 Definition placed (k : positive) : bool := known points_count (of_pos k) && Pos.eqb (to_pos (of_pos k)) k.
-Definition place_at (k : positive) : arrow := place_of (of_pos k).
+Definition place_at (k : positive) : arrow := arrow_to (of_pos k).
 (** With vertex [v] in place of number [i] the tetrahedron is positive, too. *)
 Definition quick_side (E : list positive) (i : nat) (v : positive) : bool :=
   match replace i v E with

@@ -106,7 +106,7 @@ Notation rows := (rows_of p).
 Notation places := (of_list (shifted s) (flat_map (fun e => coordinates (position e)) (points c))).
 
 Lemma point_known v : known N v = true ->
-  exists q, Table.find (to_pos v) (points_of m) = Some q /\ rounded s q (Quick.place_of places v).
+  exists q, Table.find (to_pos v) (points_of m) = Some q /\ rounded s q (arrow_to places v).
 Proof. apply (known_point s (points c) (shapes _ _ in_words) (all_fit _ _ in_words) (few_points _ _ in_words) _ _ (unweighted _ _ in_words)). Qed.
 
 Lemma entry_corners u : 0 < u < 2 ^ 62 -> let r := row_of Space u in
@@ -147,7 +147,7 @@ Lemma quick_wall_sound t i i_is_odd k0 k1 k2 x apex_ok K X n a :
   K = at_place (Z.to_nat i) a [to_pos k0; to_pos k1; to_pos k2] ->
   - 2 ^ 62 <= x < 2 ^ 62 ->
   (forall u v q, apex_ok u v = true -> Table.find (to_pos v) (points_of m) = Some q ->
-     rounded s q (Quick.place_of places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
+     rounded s q (arrow_to places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
      depth pr X n q <= 0 /\ forall st, asked = Some st -> settled pr st K X n (to_pos v) q = true) ->
   quick_wall m (simplex_count p) N rows t i i_is_odd k0 k1 k2 x apex_ok = true ->
   check_wall pr m t K X n (Z.to_nat i) (wall_of x) = Accepted /\
@@ -218,7 +218,7 @@ Proof.
   split.
   - unfold check_wall. rewrite F, Mf. unfold points_back. rewrite Bw, Pos.eqb_refl, Nat.eqb_refl. cbn [andb].
     destruct (delaunay_claimed m && Pos.ltb t (to_pos u)) eqn:Q; [|reflexivity].
-    apply andb_prop in Q. destruct Q as [Q1 Q2]. rewrite Nv, Fq. unfold Checker.locally_delaunay.
+    apply andb_prop in Q. destruct Q as [Q1 Q2]. rewrite Nv, Fq. unfold apex_outside.
     destruct (Deep u v q H Fq Rq Q1 Q2) as [Z _]. apply Z.leb_le in Z. now rewrite Z.
   - intros Q1 st As. unfold settled_wall. destruct (Pos.ltb t (to_pos u)) eqn:Q2; [|reflexivity]. cbn [negb orb].
     rewrite F, Nv, Fq. exact (proj2 (Deep u v q H Fq Rq Q1 Q2) st As).

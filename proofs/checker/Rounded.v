@@ -97,7 +97,7 @@ Proof.
 Qed.
 
 Lemma known_point cl v : weights_of cl = false -> known (count_of l) v = true ->
-  exists q, Table.find (to_pos v) (Table.of_list (site_of cl) l) = Some q /\ rounded s q (Quick.place_of places v).
+  exists q, Table.find (to_pos v) (Table.of_list (site_of cl) l) = Some q /\ rounded s q (arrow_to places v).
 Proof.
   intros Cl K. apply known_spec in K.
   assert (B : v <= Z.of_nat (length l)) by (pose proof (wrap_below (Z.of_nat (length l)) ltac:(lia)); unfold count_of in K; lia).
@@ -115,7 +115,7 @@ Proof.
     pose proof (get_place v 2 e K ltac:(lia) E) as G2.
     destruct (position e) as [[|x [|y [|z [|? ?]]]] w]; try discriminate Sh. cbn [coordinates] in *.
     exists x, y, z. cbn [forallb] in F. ands. repeat (split; [assumption || reflexivity|]).
-    unfold Quick.place_of. rewrite (sub_small v one (v - 1) eq_refl) by lia.
+    unfold arrow_to. rewrite (sub_small v one (v - 1) eq_refl) by lia.
     rewrite (mul_small three (v - 1) (3 * (v - 1) + 0)) by (unfold three; lia).
     rewrite (add_small _ one (3 * (v - 1) + 1)) by (unfold one; lia).
     rewrite (add_small _ two (3 * (v - 1) + 2)) by (unfold two; lia).
@@ -144,14 +144,14 @@ Proof.
   set (a := Z.shiftr x s) in *. set (b := Z.shiftr y s) in *. apply Z.abs_le. lia.
 Qed.
 
-Lemma within_spec most x : 0 <= most < 2 ^ 62 -> within most x = true -> Z.abs x <= most.
+Lemma at_most_spec most x : 0 <= most < 2 ^ 62 -> at_most most x = true -> Z.abs x <= most.
 Proof.
-  intros B. unfold within. intros H. ands. apply leb_le' in H, H0.
+  intros B. unfold at_most. intros H. ands. apply leb_le' in H, H0.
   rewrite (sub_small zero most (- most)) in H by (unfold zero; lia). lia.
 Qed.
 Lemma inside_spec most p : 0 <= most < 2 ^ 62 -> inside most p = true ->
   Z.abs (along_x p) <= most /\ Z.abs (along_y p) <= most /\ Z.abs (along_z p) <= most.
-Proof. intros B. unfold inside. intros H. ands. auto using within_spec. Qed.
+Proof. intros B. unfold inside. intros H. ands. auto using at_most_spec. Qed.
 
 Lemma up_one k : 0 <= k <= 61 -> up one k = 2 ^ k /\ 0 <= 2 ^ k < 2 ^ 62.
 Proof.

@@ -255,12 +255,12 @@ Notation T := (simplices_of_certificate d c).
 Notation mesh := (certificate_matched Or Co c accepts geo frames).
 Notation once := (certificate_covered_once Or Co c accepts geo frames).
 Notation support := (certificate_supporting Or Co c accepts geo frames).
-Notation within := (vertices_in Co c accepts geo frames).
+Notation vertices_are_points := (vertices_in Co c accepts geo frames).
 
 Lemma perturbed_all : exists e0, 0 < e0 /\ forall e, 0 < e < e0 -> forall t, In t T ->
   witness_plane (perturbed S h e) S t.
 Proof.
-  destruct (perturbed_planes mesh within support Pos.eq_dec once h) as (e0 & P & K).
+  destruct (perturbed_planes mesh vertices_are_points support Pos.eq_dec once h) as (e0 & P & K).
   - intros t i u j Ht A. destruct (good_facets t i u j Ht A) as [[G _]|[G _]]; [now left|now right].
   - intros p Hp. destruct (good_points p Hp) as [V|(u & Hu & I & [G _])]; [now left|right].
     now exists u.
@@ -275,8 +275,8 @@ Proof.
   intros Us FT FU W. apply (filled_same S T U FT FU). intros t Ht.
   rewrite <- (certificate_simplices c geo frames) in Ht.
   apply in_map_iff in Ht. destruct Ht as (k & <- & Hk).
-  apply (strictly_in (tets := tets) (geo := geo) within h U); try assumption.
-  apply (strictly_above mesh within support Pos.eq_dec once h).
+  apply (strictly_in (tets := tets) (geo := geo) vertices_are_points h U); try assumption.
+  apply (strictly_above mesh vertices_are_points support Pos.eq_dec once h).
   - intros a i u j Ha A. destruct (good_facets a i u j Ha A) as [[_ G]|[_ G]];
       [left|right]; now apply G.
   - intros p Hp. destruct (good_points p Hp) as [V|(u & Hu & I & [_ G])]; [now left|right].

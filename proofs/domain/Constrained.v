@@ -89,7 +89,7 @@ Proof.
   apply in_tets in Hu. destruct Hu as (e' & E'). rewrite E' in W.
   destruct (corner_vertex Co c geo frames u e' j E' Hj) as (v & Ev & Vv). rewrite Ev in W. accepted.
   apply (find_point_site (d := d)) in Heqo. destruct Heqo as [<- (x & Ex)].
-  unfold locally_delaunay in *. apply Z.leb_le, IZR_le in Heqb.
+  unfold apex_outside in *. apply Z.leb_le, IZR_le in Heqb.
   unfold locally_above. rewrite Vv, (spot_site d c v x Ex).
   pose proof (heights v x Ex) as Hv. rewrite (spot_site d c v x Ex) in Hv.
   destruct (depth_witness Or Co c accepts geo frames norm2 heights t e (site_at d c v) E

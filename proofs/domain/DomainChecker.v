@@ -347,7 +347,7 @@ Definition check_local_facet (t : positive) (e : mark) (X : list site) (n : list
                     match Table.find v (points_of m) with
                     | None => Rejected vertex_known (AtSimplex u)
                     | Some p =>
-                        require facet_locally_delaunay by locally_delaunay pr X n p at AtFacet t i;
+                        require facet_locally_delaunay by apex_outside pr X n p at AtFacet t i;
                         Accepted
                     end
                 end

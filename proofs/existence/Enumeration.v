@@ -4,22 +4,22 @@ From Circumspect Require Import ImpossibleChecker Numbering Faces Lists.
 From Circumspect Require Import Definitions.
 Import ListNotations.
 
-Lemma sublists_length n l k : In k (sublists n l) -> length k = n.
+Lemma sublists_length n l k : In k (sublists_of n l) -> length k = n.
 Proof.
-  revert n k. induction l as [|x l IH]; intros [|n] k; cbn [sublists].
+  revert n k. induction l as [|x l IH]; intros [|n] k; cbn [sublists_of].
   - intros [<-|[]]. reflexivity.
   - intros [].
   - intros [<-|[]]. reflexivity.
   - intros I. apply in_app_or in I. destruct I as [I|I]; [|now apply IH].
     apply in_map_iff in I. destruct I as (k' & <- & I). cbn. f_equal. now apply IH.
 Qed.
-Lemma filter_sublist (f : positive -> bool) l : In (filter f l) (sublists (length (filter f l)) l).
+Lemma filter_sublist (f : positive -> bool) l : In (filter f l) (sublists_of (length (filter f l)) l).
 Proof.
   induction l as [|x l IH]; [now left|]. cbn [filter]. destruct (f x).
-  - cbn [length sublists]. apply in_or_app. left. now apply in_map.
-  - destruct (filter f l) as [|y k] eqn:E; [now left|]. cbn [length sublists] in *. apply in_or_app. now right.
+  - cbn [length sublists_of]. apply in_or_app. left. now apply in_map.
+  - destruct (filter f l) as [|y k] eqn:E; [now left|]. cbn [length sublists_of] in *. apply in_or_app. now right.
 Qed.
-Lemma some_sublist ks l : NoDup ks -> NoDup l -> incl ks l -> exists k, In k (sublists (length ks) l) /\
+Lemma some_sublist ks l : NoDup ks -> NoDup l -> incl ks l -> exists k, In k (sublists_of (length ks) l) /\
   forall x, In x k <-> In x ks.
 Proof.
   intros Nk Nl I. set (f x := member x ks). exists (filter f l).

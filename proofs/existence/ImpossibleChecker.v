@@ -9,12 +9,12 @@ Import ListNotations.
 Open Scope Z_scope.
 
 (** All lists of [n] of the numbers, in their order. *)
-Fixpoint sublists (n : nat) (l : list positive) : list (list positive) :=
+Fixpoint sublists_of (n : nat) (l : list positive) : list (list positive) :=
   match l with
   | [] => match n with O => [[]] | S _ => [] end
   | x :: rest => match n with
                  | O => [[]]
-                 | S n' => map (cons x) (sublists n' rest) ++ sublists n rest
+                 | S n' => map (cons x) (sublists_of n' rest) ++ sublists_of n rest
                  end
   end.
 Fixpoint numbered_from {A} (k : positive) (l : list A) : list positive :=
@@ -144,7 +144,7 @@ Definition check_impossible (x : impossibility) : result :=
   let segments_of := Table.of_list id (segments (domain_part D)) in
   let polygons_listed := map in_tables (polygons D) in
   let polygons_of := Table.of_list id polygons_listed in
-  let candidates := sublists 4 (numbered_from 1 (points (whole_mesh D))) in
+  let candidates := sublists_of 4 (numbered_from 1 (points (whole_mesh D))) in
   let candidates_of := Table.of_list id candidates in
   let fates_of := Table.of_list id (fates x) in
   check_about space_predicates D ;;

@@ -46,7 +46,7 @@ def certificates():
     yield "complex--bow-tie", BOW_TIE, "verified: complex, 5 points, 2 triangles"
     yield "complex--hinge", HINGE, "verified: complex, 4 points, 2 triangles"
     yield changed("scale--alone", "rejected: scale", ("scale 1 1", "scale 1 0\n"))
-    yield changed("points-increasing--alone", "rejected: points-increasing, point 2", ("0 4  1 1 1", "0 0  1 1 1\n"))
+    yield changed("points-increasing--alone", "rejected: points-increasing, point 1", ("0 4  1 1 1", "0 0  1 1 1\n"))
     yield changed("point-used--alone", "rejected: point-used, point 5", ("4 4  2 1 4", "4 4  2 0 4\n"))
     yield changed("vertex-known--alone", "rejected: vertex-known, simplex 2", ("4 5 3  2", "4 5 9  2\n"))
     yield changed("simplex-proper", "rejected: simplex-proper, simplex 1", ("0 4  1 1 1", "1 1  1 1 1\n"))
