@@ -57,24 +57,37 @@ Proof. intros I. apply in_map_iff in I. destruct I as (p & E & Ip). eauto. Qed.
 
 (** ** Neighbours *)
 
+(** Facet i of t is a facet of whoever has the same vertices. *)
+Lemma facet_elsewhere t x i : same (vertices t) (vertices x) -> (i <= d)%nat -> exists k, (k <= d)%nat /\
+  same (facet_of t i) (facet_of x k) /\ forall q, bary t i q = bary x k q.
+Proof.
+  intros Sm Hi. destruct (facet_index x (facet_of t i)) as (k & Hk & Fi).
+  { now apply facet_of_NoDup. } { now apply facet_of_length. }
+  { intros v Hv. apply Sm. now apply (facet_of_incl t i Hi). }
+  exists k. split; [assumption|]. split; [assumption|].
+  assert (V : vertex x k = vertex t i).
+  { assert (Iv : In (vertex t i) (vertices x)) by (apply Sm, in_vertices; eauto).
+    apply in_vertices in Iv. destruct Iv as (l & Hl & E). destruct (Nat.eq_dec l k) as [->|N]; [now symmetry|].
+    exfalso. apply (not_in_facet_of t i Hi). apply Fi. apply (in_facet_of x k _ Hk). eauto. }
+  intros q. rewrite (facet_multiple t i x k Hi Hk Fi q), V, bary_own by assumption. ring.
+Qed.
+Lemma opposite_elsewhere t x i u j : same (vertices t) (vertices x) -> opposite t i u j ->
+  exists k, opposite x k u j.
+Proof.
+  intros Sm O. apply opposite_facets in O. destruct O as (Hi & Hj & Sf & O).
+  destruct (facet_elsewhere t x i Sm Hi) as (k & Hk & Fi & B). exists k. apply opposite_facets.
+  split; [assumption|]. split; [assumption|]. split; [|now rewrite <- B].
+  destruct Fi, Sf. split; eapply incl_tran; eassumption.
+Qed.
 Lemma neighbour_of_same t s i p : In s T -> same (vertices t) s -> (i <= d)%nat -> In p P -> bary t i (place p) < 0 ->
   exists u j, In (vertices u) T /\ opposite t i u j.
 Proof.
   intros Is Sm Hi Ip Neg. destruct (fills_frame Points T s filled Is) as (t' & <-).
-  destruct (facet_index t' (facet_of t i)) as (i' & Hi' & Fi).
-  { now apply facet_of_NoDup. } { now apply facet_of_length. }
-  { intros v Hv. apply Sm. now apply (facet_of_incl t i Hi). }
-  assert (V : vertex t' i' = vertex t i).
-  { assert (Iv : In (vertex t i) (vertices t')) by (apply Sm, in_vertices; eauto).
-    apply in_vertices in Iv. destruct Iv as (k & Hk & E). destruct (Nat.eq_dec k i') as [->|N]; [now symmetry|].
-    exfalso. apply (not_in_facet_of t i Hi). apply Fi. apply (in_facet_of t' i' _ Hi'). eauto. }
-  assert (B : bary t' i' (place p) < 0).
-  { pose proof (facet_multiple t i t' i' Hi Hi' Fi (place p)) as E. rewrite V, bary_own in E by assumption. lra. }
-  destruct (neighbour_beyond positive Points T filled t' i' (place p) Is Hi' (in_map (fun p : spotted => place p) _ _ Ip) B)
+  destruct (facet_elsewhere t t' i Sm Hi) as (k & Hk & Fi & B). rewrite B in Neg.
+  destruct (neighbour_beyond positive Points T filled t' k (place p) Is Hk (in_map (fun p : spotted => place p) _ _ Ip) Neg)
     as (u & j & Iu & O). exists u, j. split; [assumption|]. apply opposite_facets in O. destruct O as (_ & Hj & Sf & O).
-  apply opposite_facets. split; [assumption|]. split; [assumption|]. split.
-  - destruct Fi, Sf. split; eapply incl_tran; eassumption.
-  - rewrite (facet_multiple t i t' i' Hi Hi' Fi), V, bary_own by assumption. lra.
+  apply opposite_facets. split; [assumption|]. split; [assumption|]. split; [|now rewrite B].
+  destruct Fi, Sf. split; eapply incl_tran; eassumption.
 Qed.
 
 Definition one_of_T X : Prop := incl X P /\ exists t s, framed X t /\ In s T /\ same (vertices t) s.
@@ -309,6 +322,51 @@ Qed.
 
 (** ** All of it *)
 
+Lemma steps_keep n : forall st X, In X (fst st) -> In X (fst (steps pr P n st)).
+Proof.
+  assert (One : forall st X, In X (fst st) -> In X (fst (step pr P st))).
+  { intros st X I. unfold step. destruct (snd st) as [|Z q]; [assumption|].
+    assert (G : forall l st, In X (fst st) -> In X (fst (fold_left added l st))).
+    { induction l as [|Y l IHl]; intros st' I'; [assumption|]. cbn [fold_left]. apply IHl. unfold added.
+      destruct (existsb _ _); [assumption|]. now right. }
+    now apply G. }
+  induction n as [n IH|n IH|]; intros st X I; cbn [steps]; destruct (snd st); auto.
+Qed.
+(** The steps suffice. *)
+Lemma all_crossed X0 : one_of_T X0 -> incl X0 P -> exists found c,
+  steps pr P (enough pr P) ([X0], [X0]) = (found, []) /\ so_far (found, []) c /\ In X0 found.
+Proof.
+  intros One0 I0. assert (Init : so_far ([X0], [X0]) 0).
+  { constructor; cbn [fst snd]; auto using incl_refl.
+    - now intros X [<-|[]].
+    - repeat constructor. }
+  destruct (steps_so_far (enough pr P) _ _ Init) as (c & H & O).
+  pose proof (steps_keep (enough pr P) ([X0], [X0]) X0 (or_introl eq_refl)) as Keep.
+  destruct (steps pr P (enough pr P) ([X0], [X0])) as [found open] eqn:St. cbn [fst snd] in O, Keep.
+  assert (open = []) as ->; [|now exists found, c].
+  destruct O as [O|O]; [assumption|]. exfalso. pose proof (not_more _ _ H) as L. pose proof (counted _ _ H) as K.
+  cbn [fst snd] in *. unfold enough in O. rewrite power_spec, (dimension_d M), SuccNat2Pos.id_succ in O.
+  assert (length P ^ S d < S (length P) ^ S d)%nat by (apply Nat.pow_lt_mono_l; lia). lia.
+Qed.
+(** With a simplex of T all of T is found. *)
+Lemma all_of_T found c X0 : so_far (found, []) c -> In X0 found ->
+  forall s, In s T -> exists s', In s' (map (fun X => places X) found) /\ same s s'.
+Proof.
+  intros H I0. pose proof (each_of_T _ _ H) as Each. cbn [fst] in Each.
+  apply (all_reached positive Points T filled (fun s => exists s', In s' (map (fun X => places X) found) /\ same s s')).
+  - destruct (Each X0 I0) as (_ & t & s & F & Is & Sm). exists s. split; [assumption|].
+    exists (places X0). split; [now apply (in_map (fun X => places X))|]. rewrite <- (framed_places X0 t F).
+    destruct Sm. now split.
+  - intros t u i j It Iu O (s' & Is' & Sm). apply in_map_iff in Is'. destruct Is' as (X & <- & IX).
+    destruct (Each X IX) as (I & x & s & F & _ & _). rewrite <- (framed_places X x F) in Sm.
+    destruct (opposite_elsewhere t x i u j Sm O) as (k & Ox).
+    destruct (neighbour_listed X x u k j I F Iu Ox) as (Y & IY & OneY & SY).
+    destruct (crossed _ _ H X IX) as [[]|Cr]. destruct (Cr Y IY) as (Z & IZ & SZ). cbn [fst] in IZ.
+    exists (places Z). split; [now apply (in_map (fun X => places X))|].
+    apply (same_vertices_spec Y Z) in SZ; [|apply OneY|now apply (Each Z)].
+    destruct SY, SZ. split; eapply incl_tran; eassumption.
+Qed.
+
 Theorem wrapped_all Q : incl Q P -> incl P Q -> T <> [] -> exists found,
   wrapped pr P Q = Some (map (map fst) found) /\ (forall X, In X found -> one_of_T X) /\
   ForallOrdPairs (fun s t : simplex d => ~ same s t) (map (fun X => places X) found) /\
@@ -316,16 +374,7 @@ Theorem wrapped_all Q : incl Q P -> incl P Q -> T <> [] -> exists found,
 Proof.
   intros QP PQ NE. unfold wrapped. destruct (search pr P (S (dimension pr)) Q []) as [X0|] eqn:E.
   - destruct (search_some _ Q QP [] X0 ltac:(intros x []) E) as [I0 A0]. pose proof (passes_spec X0 I0 A0) as One0.
-    assert (Init : so_far ([X0], [X0]) 0).
-    { constructor; cbn [fst snd]; auto using incl_refl.
-      - now intros X [<-|[]].
-      - repeat constructor. }
-    destruct (steps_so_far (enough pr P) _ _ Init) as (c & H & O).
-    destruct (steps pr P (enough pr P) ([X0], [X0])) as [found open] eqn:St. cbn [snd] in O.
-    assert (open = []) as ->.
-    { destruct O as [O|O]; [assumption|]. exfalso. pose proof (not_more _ _ H) as L. pose proof (counted _ _ H) as K.
-      cbn [fst snd] in *. unfold enough in O. rewrite power_spec, (dimension_d M), SuccNat2Pos.id_succ in O.
-      assert (length P ^ S d < S (length P) ^ S d)%nat by (apply Nat.pow_lt_mono_l; lia). lia. }
+    destruct (all_crossed X0 One0 I0) as (found & c & St & H & In0). rewrite St.
     exists found. split; [reflexivity|]. pose proof (each_of_T _ _ H) as Each. cbn [fst] in Each. split; [exact Each|]. split.
     + pose proof (found_once _ _ H) as Once. cbn [fst] in Once. clear - Once Each numbers_differ places_differ.
       induction Once as [|X l Fx Once IH]; cbn [map]; constructor.
@@ -333,44 +382,10 @@ Proof.
         rewrite Forall_forall in Fx. specialize (Fx Y IY).
         apply (same_vertices_spec X Y) in Sm; [congruence|apply (Each X); now left|apply (Each Y); now right].
       * apply IH. intros Y IY. apply Each. now right.
-    + split.
-      * apply (all_reached positive Points T filled (fun s => exists s', In s' (map (fun X => places X) found) /\ same s s')).
-        -- destruct One0 as (_ & t & s & F & Is & Sm). exists s. split; [assumption|].
-           assert (In0 : In X0 found).
-           { assert (Keep : forall n st X, In X (fst st) -> In X (fst (steps pr P n st))).
-             { assert (One : forall st X, In X (fst st) -> In X (fst (step pr P st))).
-               { intros st X I. unfold step. destruct (snd st) as [|Z q]; [assumption|].
-                 assert (G : forall l st, In X (fst st) -> In X (fst (fold_left added l st))).
-                 { induction l as [|Y l IHl]; intros st' I'; [assumption|]. cbn [fold_left]. apply IHl. unfold added.
-                   destruct (existsb _ _); [assumption|]. now right. }
-                 now apply G. }
-               induction n as [n IH|n IH|]; intros st X I; cbn [steps]; destruct (snd st); auto. }
-             pose proof (Keep (enough pr P) ([X0], [X0]) X0 (or_introl eq_refl)) as K. now rewrite St in K. }
-           exists (places X0). split; [now apply (in_map (fun X => places X))|]. rewrite <- (framed_places X0 t F).
-           destruct Sm. now split.
-        -- intros t u i j It Iu O' (s' & Is' & Sm). apply in_map_iff in Is'. destruct Is' as (X & <- & IX).
-           destruct (Each X IX) as (I & x & s & F & _ & _). rewrite <- (framed_places X x F) in Sm.
-           (* facet i of t is a facet of x *)
-           pose proof O' as O2. apply opposite_facets in O2. destruct O2 as (Hi & Hj & Sf & Neg).
-           destruct (facet_index x (facet_of t i)) as (i' & Hi' & Fi).
-           { now apply facet_of_NoDup. } { now apply facet_of_length. }
-           { intros v Hv. apply Sm. now apply (facet_of_incl t i Hi). }
-           assert (V : vertex x i' = vertex t i).
-           { assert (Iv : In (vertex t i) (vertices x)) by (apply Sm, in_vertices; eauto).
-             apply in_vertices in Iv. destruct Iv as (k & Hk & Ek). destruct (Nat.eq_dec k i') as [->|N]; [now symmetry|].
-             exfalso. apply (not_in_facet_of t i Hi). apply Fi. apply (in_facet_of x i' _ Hi'). eauto. }
-           assert (Ox : opposite x i' u j).
-           { apply opposite_facets. split; [assumption|]. split; [assumption|]. split.
-             - destruct Fi, Sf. split; eapply incl_tran; eassumption.
-             - pose proof (facet_multiple t i x i' Hi Hi' Fi (vertex u j)) as B. rewrite V, bary_own in B by assumption. lra. }
-           destruct (neighbour_listed X x u i' j I F Iu Ox) as (Y & IY & OneY & SY).
-           destruct (crossed _ _ H X IX) as [[]|Cr]. destruct (Cr Y IY) as (Z & IZ & SZ). cbn [fst] in IZ.
-           exists (places Z). split; [now apply (in_map (fun X => places X))|].
-           apply (same_vertices_spec Y Z) in SZ; [|apply OneY|now apply (Each Z)].
-           destruct SY, SZ. split; eapply incl_tran; eassumption.
-      * intros s' Is'. apply in_map_iff in Is'. destruct Is' as (X & <- & IX).
-        destruct (Each X IX) as (_ & x & s & F & Is & Sm). exists s. split; [assumption|].
-        now rewrite <- (framed_places X x F).
+    + split; [now apply (all_of_T found c X0)|].
+      intros s' Is'. apply in_map_iff in Is'. destruct Is' as (X & <- & IX).
+      destruct (Each X IX) as (_ & x & s & F & Is & Sm). exists s. split; [assumption|].
+      now rewrite <- (framed_places X x F).
   - exfalso. destruct T as [|s l] eqn:ET; [contradiction|]. rewrite <- ET in *.
     destruct (T_passes s) as (X & IX & LX & A); [rewrite ET; now left|].
     assert (R : passes pr P (rev (rev X) ++ []) = false).
