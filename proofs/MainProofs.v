@@ -65,8 +65,10 @@ Theorem rules_of_whole_domains D x : refute_whole D x = true ->
    "triangulation.hull-not-closed"]%string.
 Proof.
   intros A. unfold whole_rule_of. unfold refute_whole, refute_whole_in in A. cbv zeta in A.
-  destruct (shown_by x) as [| | | | | |e| |]; try solve [listed]. apply andb_prop in A. destruct A as [_ A].
-  cbn [whole_holds] in A. apply andb_prop in A. destruct A as [A _]. apply andb_prop in A. destruct A as [_ A].
+  destruct (shown_by x) as [| | | | | |e| |]; try solve [listed]. apply andb_prop in A.
+  destruct A as [_ A].
+  cbn [whole_holds] in A. apply andb_prop in A. destruct A as [A _]. apply andb_prop in A.
+  destruct A as [_ A].
   destruct e; try discriminate; listed.
 Qed.
 
@@ -80,7 +82,8 @@ Theorem impossible x : check_impossible x = Accepted ->
   end.
 Proof.
   intros A. cbv zeta. pose proof (fun K => ImpossibleSound.check_impossible_sound x K A) as H.
-  destruct (domain_claimed (about x)); intros K Tr; try (apply (H K Tr); discriminate). now apply (H K (proj1 Tr)).
+  destruct (domain_claimed (about x)); intros K Tr; try (apply (H K Tr); discriminate).
+  now apply (H K (proj1 Tr)).
 Qed.
 
 Theorem generic_once D c c' : check D c = Accepted -> check D c' = Accepted ->

@@ -1,9 +1,9 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or,
-    of a mesh alone, of [Complexes.v].  [check], [refute], [check_domain] and so on are the
-    functions that the program evaluates; how they decide ([checker/Checker.v],
-    [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
+    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or, of
+    a mesh alone, of [Complexes.v].  [check], [refute], [check_domain] and so on are the functions
+    that the program evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
+    [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
     stand in [BookTheorems.v].
 
     What a line of the program does not say:
@@ -51,9 +51,9 @@ Theorem verified D c : check D c = Accepted ->
   end.
 Proof. apply Soundness.check_sound. Qed.
 
-(** In the program the simplices of a certificate are rows of words ([checker/Packed.v] says of which
-    certificate), and a quick check of them comes first; what it says holds is accepted, and settled
-    as the certificate says. *)
+(** In the program the simplices of a certificate are rows of words ([checker/Packed.v] says of
+    which certificate), and a quick check of them comes first; what it says holds is accepted, and
+    settled as the certificate says. *)
 Theorem verified_packed D p standing s : judge D p standing s = Holds ->
   check D (unpacked D p) = Accepted /\
   forall st, standing = Some st -> settle D (unpacked D p) st = Settled.

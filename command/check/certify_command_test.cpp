@@ -48,7 +48,7 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
 
 // Of a square an edge of which is halved on one side only, and of its two halves.
 TEST_CASE("certify: a mesh alone") {
-  const CertifiedMeshes meshes;
+  CertifiedMeshes meshes;
   const Run holds = run({"certify", meshes.good, "-o", meshes.cert, "--claim", "complex"});
   CHECK(holds.exit_code == 0);
   CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 complex 2\n"));

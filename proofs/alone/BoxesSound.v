@@ -15,42 +15,51 @@ Proof. intros F. now induction F; cbn; [|f_equal]. Qed.
 
 Lemma around_left b c p : in_box b p -> length c = length b -> in_box (around b c) p.
 Proof.
-  intros F. revert c. induction F as [|(l, h) x b p I F IH]; intros [|(m, k) c] L; try discriminate; cbn; constructor.
+  intros F. revert c. induction F as [|(l, h) x b p I F IH]; intros [|(m, k) c] L; try discriminate;
+    cbn; constructor.
   - cbn in *. destruct (Z.leb_spec l m), (Z.leb_spec h k); cbn; lia.
   - apply IH. cbn in L. lia.
 Qed.
 Lemma around_right b c p : in_box c p -> length b = length c -> in_box (around b c) p.
 Proof.
-  intros F. revert b. induction F as [|(m, k) x c p I F IH]; intros [|(l, h) b] L; try discriminate; cbn; constructor.
+  intros F. revert b. induction F as [|(m, k) x c p I F IH]; intros [|(l, h) b] L; try discriminate;
+    cbn; constructor.
   - cbn in *. destruct (Z.leb_spec l m), (Z.leb_spec h k); cbn; lia.
   - apply IH. cbn in L. lia.
 Qed.
 Lemma around_length b c n : length b = n -> length c = n -> length (around b c) = n.
-Proof. revert c n. induction b as [|(l, h) b IH]; intros [|(m, k) c] [|n] B C; try discriminate; cbn; auto. Qed.
+Proof.
+  revert c n. induction b as [|(l, h) b IH]; intros [|(m, k) c] [|n] B C; try discriminate; cbn;
+    auto.
+Qed.
 
 Lemma own_box_length X : Forall (fun p => length p = d) X -> X <> [] -> length (box_of X) = d.
 Proof.
-  induction X as [|q X IH]; intros F N; [congruence|]. apply Forall_cons_iff in F. destruct F as [Lq F].
+  induction X as [|q X IH]; intros F N; [congruence|]. apply Forall_cons_iff in F.
+  destruct F as [Lq F].
   destruct X as [|q' X]; [cbn [box_of]; now rewrite map_length|].
   change (length (around (map (fun x => (x, x)) q) (box_of (q' :: X))) = d).
   apply around_length; [now rewrite map_length|apply IH; [assumption|discriminate]].
 Qed.
 Lemma in_own_box X p : Forall (fun p => length p = d) X -> In p X -> in_box (box_of X) p.
 Proof.
-  induction X as [|q X IH]; intros F I; [destruct I|]. pose proof F as F'. apply Forall_cons_iff in F. destruct F as [Lq F].
+  induction X as [|q X IH]; intros F I; [destruct I|]. pose proof F as F'.
+  apply Forall_cons_iff in F. destruct F as [Lq F].
   assert (Own : forall q : list Z, in_box (map (fun x => (x, x)) q) q).
   { clear. induction q as [|x q IH]; cbn; constructor; [cbn; lia|assumption]. }
   destruct X as [|q' X]; [destruct I as [<-|[]]; apply Own|].
   change (in_box (around (map (fun x => (x, x)) q) (box_of (q' :: X))) p).
   assert (Lm : length (map (fun x : Z => (x, x)) q) = d) by now rewrite map_length.
   assert (Lb : length (box_of (q' :: X)) = d) by now apply own_box_length.
-  destruct I as [<-|I]; [apply around_left; [apply Own|congruence]|]. apply around_right; [now apply IH|congruence].
+  destruct I as [<-|I]; [apply around_left; [apply Own|congruence]|].
+  apply around_right; [now apply IH|congruence].
 Qed.
 
 (** In one coordinate all of the one box is below all of the other. *)
 Definition below (i : nat) (m : Z) (X Y : list (list Z)) : Prop :=
   (i < d)%nat /\ (forall p, In p X -> nth i p 0 <= m) /\ (forall p, In p Y -> m < nth i p 0).
-Lemma apart_below b c : apart b c = true -> length b = d -> length c = d -> exists i m, (i < d)%nat /\
+Lemma apart_below b c : apart b c = true -> length b = d -> length c = d ->
+  exists i m, (i < d)%nat /\
   ((forall p, in_box b p -> nth i p 0 <= m) /\ (forall p, in_box c p -> m < nth i p 0) \/
    (forall p, in_box c p -> nth i p 0 <= m) /\ (forall p, in_box b p -> m < nth i p 0)).
 Proof.
@@ -89,15 +98,18 @@ Lemma pair_up_spec l : forall made, (forall t, In t made \/ In t l -> boxed t) -
   (forall t, In t (pair_up made l) -> boxed t) /\
   forall t a, (In t made \/ In t l) -> leaf t a -> exists u, In u (pair_up made l) /\ leaf u a.
 Proof.
-  assert (G : forall n l, (length l <= n)%nat -> forall made, (forall t, In t made \/ In t l -> boxed t) ->
+  assert (G : forall n l, (length l <= n)%nat -> forall made, (forall t, In t made \/ In t l ->
+    boxed t) ->
     (forall t, In t (pair_up made l) -> boxed t) /\
     forall t a, (In t made \/ In t l) -> leaf t a -> exists u, In u (pair_up made l) /\ leaf u a).
   2:{ exact (G (length l) l (Nat.le_refl _)). }
   clear l. induction n as [|n IH]; intros [|t [|u l]] L made B; cbn in L; try lia; cbn [pair_up].
   1, 2: split; [auto|intros t a [I|[]] F; eauto].
-  - split; [intros x [<-|I]; apply B; cbn; auto|]. intros x a [I|[<-|[]]] F; [exists x|exists t]; cbn; auto.
+  - split; [intros x [<-|I]; apply B; cbn; auto|]. intros x a [I|[<-|[]]] F; [exists x|exists t];
+      cbn; auto.
   - destruct (IH l ltac:(lia) (joined t u :: made)) as [B' K].
-    { intros x [[<-|I]|I]; [apply joined_boxed; apply B; cbn; auto|apply B; auto|apply B; cbn; auto]. }
+    { intros x [[<-|I]|I]; [apply joined_boxed; apply B; cbn; auto|apply B; auto|apply B; cbn;
+        auto]. }
     split; [exact B'|]. intros x a [I|[<-|[<-|I]]] F.
     + apply (K x); [left; now right|assumption].
     + apply (K (joined t u)); [left; now left|now left].
@@ -117,20 +129,26 @@ Qed.
 (** What is known of two simplices. *)
 Definition kept_apart (a b : cell) : Prop := parted d a b = true \/
   exists i m, below i m (places a) (places b) \/ below i m (places b) (places a).
-Lemma apart_kept b c t u a e : boxed_in b t -> boxed_in c u -> apart b c = true -> leaf t a -> leaf u e -> kept_apart a e.
+Lemma apart_kept b c t u a e : boxed_in b t -> boxed_in c u -> apart b c = true -> leaf t a ->
+  leaf u e -> kept_apart a e.
 Proof.
-  intros [Lb B] [Lc C] A Fa Fe. destruct (apart_below b c A Lb Lc) as (i & m & Hi & H). right. exists i, m.
+  intros [Lb B] [Lc C] A Fa Fe. destruct (apart_below b c A Lb Lc) as (i & m & Hi & H). right.
+  exists i, m.
   destruct H as [[H K]|[H K]]; [left|right]; split; try assumption; split; intros p I; eauto.
 Qed.
-Lemma parted_from_all_spec b a u : boxed_in b (Leaf b a) -> boxed u -> parted_from_all d b a u = Accepted ->
+Lemma parted_from_all_spec b a u : boxed_in b (Leaf b a) -> boxed u ->
+  parted_from_all d b a u = Accepted ->
   forall e, leaf u e -> kept_apart a e.
 Proof.
-  intros B. induction u as [c x|c l IHl r IHr]; intros U E e F; cbn [parted_from_all box_around] in E.
+  intros B. induction u as [c x|c l IHl r IHr]; intros U E e F; cbn [parted_from_all box_around] in
+    E.
   - destruct (apart b c) eqn:A.
-    + apply (apart_kept b c (Leaf b a) (Leaf c x)); auto; [now apply (boxed_around _ U)|reflexivity].
+    + apply (apart_kept b c (Leaf b a) (Leaf c x)); auto;
+        [now apply (boxed_around _ U)|reflexivity].
     + unfold parted_cells in E. accepted. cbn in F. subst. now left.
   - destruct (apart b c) eqn:A.
-    + apply (apart_kept b c (Leaf b a) (Node c l r)); auto; [now apply (boxed_around _ U)|reflexivity].
+    + apply (apart_kept b c (Leaf b a) (Node c l r)); auto;
+        [now apply (boxed_around _ U)|reflexivity].
     + destruct (parted_from_all d b a l) eqn:El; [|discriminate]. destruct U as (_ & Bl & Br).
       destruct F as [F|F]; auto.
 Qed.
@@ -139,10 +157,12 @@ Lemma parted_trees_spec t u : boxed t -> boxed u -> parted_trees d t u = Accepte
 Proof.
   induction t as [b x|b l IHl r IHr]; intros T U E a e Fa Fe; cbn [parted_trees] in E.
   - destruct (apart _ _) eqn:A.
-    + apply (apart_kept (box_around (Leaf b x)) (box_around u) (Leaf b x) u a e); auto; now apply boxed_around.
+    + apply (apart_kept (box_around (Leaf b x)) (box_around u) (Leaf b x) u a e); auto;
+        now apply boxed_around.
     + cbn in Fa. subst. apply (parted_from_all_spec b a u); auto. now apply (boxed_around _ T).
   - destruct (apart _ _) eqn:A.
-    + apply (apart_kept (box_around (Node b l r)) (box_around u) (Node b l r) u a e); auto; now apply boxed_around.
+    + apply (apart_kept (box_around (Node b l r)) (box_around u) (Node b l r) u a e); auto;
+        now apply boxed_around.
     + destruct (parted_trees d l u) eqn:El; [|discriminate]. destruct T as (_ & Bl & Br).
       destruct Fa as [Fa|Fa]; eauto.
 Qed.
@@ -152,7 +172,8 @@ Theorem all_parted_spec t : boxed t -> all_parted d t = Accepted ->
 Proof.
   induction t as [b x|b l IHl r IHr]; intros T E a e Fa Fe; cbn [all_parted] in E.
   - cbn in *. left. congruence.
-  - destruct (all_parted d l) eqn:El; [|discriminate]. destruct (all_parted d r) eqn:Er; [|discriminate].
+  - destruct (all_parted d l) eqn:El; [|discriminate].
+    destruct (all_parted d r) eqn:Er; [|discriminate].
     destruct T as (_ & Bl & Br). pose proof (parted_trees_spec l r Bl Br E) as P.
     destruct Fa as [Fa|Fa], Fe as [Fe|Fe]; auto.
 Qed.

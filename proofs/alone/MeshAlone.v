@@ -1,8 +1,8 @@
 (** * The checker of certificates of a mesh alone
 
-    [check_alone] is extracted; [MeshAloneSound.v] proves what its acceptance means.  Every two simplices are parted by a
-    hyperplane.  Most are far apart: the boxes of a tree tell it.  Of the others most are parted by the hyperplane of a
-    facet; for the rest the certificate names one. *)
+    [check_alone] is extracted; [MeshAloneSound.v] proves what its acceptance means.  Every two
+    simplices are parted by a hyperplane.  Most are far apart: the boxes of a tree tell it.  Of the
+    others most are parted by the hyperplane of a facet; for the rest the certificate names one. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Checker DomainChecker Complexes.
 From Circumspect Require Table.
@@ -20,14 +20,17 @@ Definition plane_through (X : list (list Z)) : hyperplane :=
   match X with
   | [[x; y]; [u; v]] => let n := [y - v; u - x] in (n, inner_product n [x; y])
   | [[a; b; c]; [x; y; z]; [u; v; w]] =>
-      let '(l, m, n) := cross3 (x - a, y - b, z - c) (u - a, v - b, w - c) in ([l; m; n], l * a + m * b + n * c)
+      let '(l, m, n) := cross3 (x - a, y - b, z - c) (u - a, v - b, w - c) in
+        ([l; m; n], l * a + m * b + n * c)
   | _ => ([], 0)
   end.
-(** Through all vertices but number i, which is on the side where it is negative.  (Nothing depends on this being so.) *)
+(** Through all vertices but number i, which is on the side where it is negative.  (Nothing depends
+    on this being so.) *)
 Definition facet_plane (X : list (list Z)) (i : nat) : hyperplane :=
   let h := plane_through (remove i X) in
   if 0 <? value h (nth i X []) then opposite_of h else h.
-(** The hyperplanes of the facets; or, of a simplex in a hyperplane, this one, which has two sides. *)
+(** The hyperplanes of the facets; or, of a simplex in a hyperplane, this one, which has two
+    sides. *)
 Definition own_planes (d : nat) (X : list (list Z)) : list hyperplane :=
   let n := length X in
   if Nat.eqb n (S d) then map (facet_plane X) (seq 0 n)
@@ -41,9 +44,11 @@ Record cell := Cell {
   planes_of : list hyperplane;
   parted_from : list (positive * hyperplane)
 }.
-Definition among (k : positive) (B : list (positive * list Z)) : bool := existsb (fun v => Pos.eqb k (fst v)) B.
+Definition among (k : positive) (B : list (positive * list Z)) : bool :=
+  existsb (fun v => Pos.eqb k (fst v)) B.
 
-(** [simplices-parted]: nowhere negative on A, nowhere positive on B, and where it is zero on A there is a vertex of B. *)
+(** [simplices-parted]: nowhere negative on A, nowhere positive on B, and where it is zero on A
+    there is a vertex of B. *)
 Definition parts (h : hyperplane) (d : nat) (A B : list (positive * list Z)) : bool :=
   Nat.eqb (length (fst h)) d &&
   forallb (fun v => let x := value h (snd v) in (0 <? x) || ((x =? 0) && among (fst v) B)) A &&
@@ -53,7 +58,8 @@ Definition parted (d : nat) (a b : cell) : bool :=
   let A := corner_places a in
   let B := corner_places b in
   negb (forallb (fun v => among (fst v) B) A) &&
-  (existsb (fun h => parts h d B A) (planes_of a) || existsb (fun h => parts h d A B) (planes_of b) ||
+  (existsb (fun h => parts h d B A) (planes_of a) ||
+    existsb (fun h => parts h d A B) (planes_of b) ||
    existsb (fun uh => Pos.eqb (fst uh) (cell_number b) && parts (snd uh) d A B) (parted_from a) ||
    existsb (fun uh => Pos.eqb (fst uh) (cell_number a) && parts (snd uh) d B A) (parted_from b)).
 
@@ -61,7 +67,8 @@ Definition parted (d : nat) (a b : cell) : bool :=
 Definition box := list (Z * Z).
 Fixpoint around (b c : box) : box :=
   match b, c with
-  | (l, h) :: b', (m, k) :: c' => (if l <=? m then l else m, if h <=? k then k else h) :: around b' c'
+  | (l, h) :: b', (m, k) :: c' => (if l <=? m then l else m, if h <=? k then k else h) :: around b'
+      c'
   | _, _ => []
   end.
 Fixpoint box_of (X : list (list Z)) : box :=
@@ -131,11 +138,13 @@ Let order_table := Table.of_list id (complex_order c).
 Definition vertex_used (k : positive) (e : point_entry) : result :=
   require point_used by
     match Table.find (home e) cells_table, home_vertex e with
-    | Some t, Some i => match nth_error (cell_vertices t) i with Some v => Pos.eqb v k | None => false end
+    | Some t, Some i => match nth_error (cell_vertices t) i with Some v => Pos.eqb v k | None =>
+        false end
     | _, _ => false
     end at AtPoint k; Accepted.
 
-(** [vertex-known]; [simplex-proper]: without it a simplex could be flat; [simplex-listed]: or not be looked at. *)
+(** [vertex-known]; [simplex-proper]: without it a simplex could be flat; [simplex-listed]: or not
+    be looked at. *)
 Definition check_cell (k : positive) (e : cell_entry) : result :=
   match find_all points_table (cell_vertices e) with
   | None => Rejected vertex_known (AtSimplex k)
@@ -144,7 +153,8 @@ Definition check_cell (k : positive) (e : cell_entry) : result :=
         Nat.eqb (length X) (S (complex_dimension c)) && forallb (shaped pr) (cell_pads e) &&
         negb (orientation pr (X ++ cell_pads e) =? 0) at AtSimplex k;
       require simplex_listed by
-        match Table.find (cell_place e) order_table with Some t => Pos.eqb t k | None => false end at AtSimplex k;
+        match Table.find (cell_place e) order_table with Some t => Pos.eqb t k | None =>
+          false end at AtSimplex k;
       Accepted
   end.
 
@@ -157,7 +167,8 @@ Definition leaf_of (k : positive) : option tree :=
       | Some X =>
           let places := map coordinates X in
           Some (Leaf (box_of places)
-                  (Cell k (combine (cell_vertices e) places) (own_planes (dimension pr) places) (cell_parted e)))
+                  (Cell k (combine (cell_vertices e) places) (own_planes (dimension pr) places)
+                    (cell_parted e)))
       end
   end.
 Fixpoint leaves_of (made : list tree) (l : list positive) : option (list tree) :=

@@ -140,7 +140,8 @@ Proof.
       apply lexicographic_first in B. destruct B as [B _]. congruence.
 Qed.
 Lemma checked_points l : check_points pr l = Accepted ->
-  Forall (fun e => well_shaped d (position e)) l /\ NoDup (map (fun e => coordinates (position e)) l).
+  Forall (fun e => well_shaped d (position e)) l /\
+    NoDup (map (fun e => coordinates (position e)) l).
 Proof.
   clear accepts. intros H. unfold check_points in H.
   destruct l as [|e l]; [split; constructor|]. accepted.

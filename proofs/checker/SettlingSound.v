@@ -104,7 +104,8 @@ Proof.
   intros E Hi Ek.
   destruct (side_bary Or Co c accepts geo frames t e i (site_at d c k) 1 E Hi
     (site_shaped dim_d accepts k) ltac:(lia)) as (q & Q & Eq).
-  exists q. split; [assumption|]. rewrite (spot_site d c k p Ek). now replace (r / 1) with r in Eq by field.
+  exists q. split; [assumption|]. rewrite (spot_site d c k p Ek).
+  now replace (r / 1) with r in Eq by field.
 Qed.
 
 Notation sites e := (sites_of (d := d) (c := c) e).
@@ -322,7 +323,8 @@ Proof.
     { intros k e E. unfold height_of, site_at, site_of. rewrite E.
       destruct (claimed c); [discriminate| |]; cbn [lifted weights_of weight].
       - rewrite (spot_numbered d c k e E). unfold place_of. cbn [coordinates]. ring.
-      - rewrite (spot_numbered d c k e E), W; [reflexivity|reflexivity|now apply numbered_in with k]. }
+      - rewrite (spot_numbered d c k e E), W;
+          [reflexivity|reflexivity|now apply numbered_in with k]. }
     split.
     - split; [assumption|].
       destruct (perturbed_all Or Co c A s Se geo frames _ Hs) as (e0 & P & K).

@@ -1,8 +1,9 @@
 (** * Gift-wrapping  (Book: Section 5.6)
 
-    [wrap] is extracted; [WrappingSound.v] proves that it returns the canonical Delaunay triangulation of every point set that
-    spans the plane or space.  It begins with any simplex that has every other point above its witness plane, and crosses facet
-    after facet: beyond each it looks at all points and keeps the lower one.  Slow: the time is that of looking at all points
+    [wrap] is extracted; [WrappingSound.v] proves that it returns the canonical Delaunay
+    triangulation of every point set that spans the plane or space.  It begins with any simplex that
+    has every other point above its witness plane, and crosses facet after facet: beyond each it
+    looks at all points and keeps the lower one.  Slow: the time is that of looking at all points
     from each facet, and more where many are cospherical. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Refutation.
@@ -52,7 +53,8 @@ Definition lower X (i : nat) (best : option spotted) p : option spotted :=
   else best.
 Definition apex_beyond X (i : nat) : option spotted := fold_left (lower X i) P None.
 Definition neighbours X : list (list spotted) :=
-  flat_map (fun i => match apex_beyond X i with Some b => [replace i b X] | None => [] end) (corners_numbered pr).
+  flat_map (fun i => match apex_beyond X i with Some b => [replace i b X] | None => [] end)
+    (corners_numbered pr).
 
 (** ** All of it *)
 
@@ -75,7 +77,8 @@ Fixpoint steps (n : positive) (st : state) : state :=
 
 (** The first simplex, of [n] further points of [Q]. *)
 Definition passes X : bool :=
-  right_length pr X && proper pr (map snd X) && forallb (fun p => is_vertex X p || (0 <? height_sign X p)) P.
+  right_length pr X && proper pr (map snd X) && forallb (fun p => is_vertex X p ||
+    (0 <? height_sign X p)) P.
 Fixpoint search (n : nat) (Q : list spotted) X : option (list spotted) :=
   match n with
   | O => if passes X then Some X else None
@@ -86,7 +89,8 @@ Fixpoint search (n : nat) (Q : list spotted) X : option (list spotted) :=
       end) Q
   end.
 
-Fixpoint power (p : positive) (n : nat) : positive := match n with O => xH | S n' => Pos.mul p (power p n') end.
+Fixpoint power (p : positive) (n : nat) : positive :=
+  match n with O => xH | S n' => Pos.mul p (power p n') end.
 (** There are no more simplices than these. *)
 Definition enough : positive := power (Pos.of_succ_nat (length P)) (S (dimension pr)).
 Definition wrapped (Q : list spotted) : option (list (list positive)) :=
@@ -103,11 +107,13 @@ End Wrapping.
 Definition numbered_from_one (l : list site) : list spotted :=
   combine (map Pos.of_succ_nat (seq 0 (length l))) (map (fun s => Site (coordinates s) 0) l).
 Definition squared_distance (p q : site) : Z :=
-  fold_right (fun xy s => (fst xy - snd xy) * (fst xy - snd xy) + s) 0 (combine (coordinates p) (coordinates q)).
+  fold_right (fun xy s => (fst xy - snd xy) * (fst xy - snd xy) + s) 0
+    (combine (coordinates p) (coordinates q)).
 Fixpoint inserted (o : site) (p : spotted) (l : list spotted) : list spotted :=
   match l with
   | [] => [p]
-  | q :: l' => if squared_distance o (snd p) <=? squared_distance o (snd q) then p :: l else q :: inserted o p l'
+  | q :: l' => if squared_distance o (snd p) <=? squared_distance o (snd q) then p :: l else
+      q :: inserted o p l'
   end.
 Definition by_distance (o : site) (l : list spotted) : list spotted := fold_right (inserted o) [] l.
 Fixpoint all_differ (l : list site) : bool :=
