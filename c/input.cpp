@@ -133,6 +133,13 @@ Mesh mesh_of(const circumspect_mesh& mesh, bool weighted) {
   return taken;
 }
 
+Mesh points_of(const circumspect_mesh* points) {
+  circumspect_mesh alone = *required(points, "a mesh");
+  alone.simplex_count = alone.triangle_count = alone.edge_count = 0;
+  alone.neighbors = nullptr;
+  return mesh_of(alone, true);
+}
+
 void refuse_empty(const Mesh& mesh, const char* what_to_do) {
   if (mesh.points() > 0 || !mesh.simplices.empty() || !mesh.faces.empty()) return;
   refuse_input(fmt::format(
@@ -140,11 +147,10 @@ void refuse_empty(const Mesh& mesh, const char* what_to_do) {
       what_to_do));
 }
 
-void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* what_to_do) {
+void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* to_merge) {
   if (repeated.empty()) return;
   const Duplicate& first = repeated.front();
-  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size()) +
-               what_to_do);
+  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size(), to_merge));
 }
 
 std::vector<Point> exact_points(std::int64_t count, std::int64_t dimension, const double* doubles,

@@ -13,10 +13,15 @@
 #include <circumspect/circumspect.h>
 #include <fmt/format.h>
 
+#include "c/demands.hpp"
 #include "c/guard.hpp"
 #include "c/input.hpp"
+#include "c/kept_verdict.hpp"
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/cause/causes.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
@@ -117,13 +122,71 @@ std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const 
   return kept;
 }
 
+Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const Domain& domain,
+                      const check::Options& options) {
+  const Rational distance = distance_of(within);
+  const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
+  auto verdict =
+      check::judge_within(claim, asked.exact, domain, distance * distance, options, asked.known());
+  if (verdict) return std::move(*verdict);
+  const auto& [reason, is_input_fault] = verdict.error();
+  throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
+}
+
+// Equal points are refused, or merged with a note.
+void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged, Mesh& mesh,
+                         std::vector<std::string>& notes) {
+  if (repeated.empty()) return;
+  if (!are_merged) {
+    refuse_equal_points(repeated, "set merge_equal_points");
+  }
+  merge_equal_points(mesh);
+  notes.push_back(report::note_of_merged_points(repeated));
+}
+
+Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_options& asked,
+               const check::Options& options, std::vector<std::string>& notes) {
+  const bool are_merged = asked.merge_equal_points != 0;
+  if (asked.within != nullptr) {
+    if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
+    settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
+    return judged_within(asked.within, claim, mesh, *domain, options);
+  }
+  const std::string fault = check::fault_of_claim(claim, mesh, options);
+  if (!fault.empty()) refuse_input(fault);
+  // Otherwise equal points break a rule of this claim.
+  if (claim == Claim::kComplex && are_merged) {
+    settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
+  }
+  auto verdict = check::judge(claim, mesh, domain, options);
+  if (verdict) return std::move(*verdict);
+  settle_equal_points(verdict.error().repeated, are_merged, mesh, notes);
+  return check::judge(claim, mesh, domain, options).value();
+}
+
+std::vector<Cause> causes_of(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
+                             check::Options options) {
+  options.max_violations = 1;
+  const auto again = [&](const Mesh& mended) -> std::optional<Verdict> {
+    auto judged = check::judge(verdict.claim(), mended, domain, options);
+    if (!judged) return std::nullopt;
+    return std::move(*judged);
+  };
+  return check::causes(verdict, mesh, again).found;
+}
+
+int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
+
+}  // namespace
+
 circumspect_options asked_of(const circumspect_options* options) {
   const circumspect_options defaults = CIRCUMSPECT_OPTIONS;
   if (options == nullptr) return defaults;
-  return of_any_version<circumspect_options>(*options, defaults,
-                                             {offsetof(circumspect_options, with_pictures),
-                                              offsetof(circumspect_options, merge_equal_points)},
-                                             "CIRCUMSPECT_OPTIONS");
+  return of_any_version<circumspect_options>(
+      *options, defaults,
+      {offsetof(circumspect_options, with_pictures),
+       offsetof(circumspect_options, merge_equal_points), offsetof(circumspect_options, demands)},
+      "CIRCUMSPECT_OPTIONS");
 }
 
 check::Options options_of(const circumspect_options& asked) {
@@ -140,55 +203,15 @@ check::Options options_of(const circumspect_options& asked) {
           .threads = static_cast<unsigned>(asked.threads)};
 }
 
-Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const Domain& domain,
-                      const check::Options& options) {
+Rational distance_of(const char* within) {
   const auto distance = read_number(within, NumberReading::kDecimal);
   if (!distance || sign(*distance) < 0) {
     refuse_call(fmt::format("expected a distance of at least 0 for `within`, found '{}'",
                             on_one_line(within)));
   }
-  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  auto verdict = check::judge_within(claim, exact(mesh), domain, *distance * *distance, options,
-                                     known ? &*known : nullptr);
-  if (verdict) return std::move(*verdict);
-  const auto& [reason, is_input_fault] = verdict.error();
-  throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
+  return *distance;
 }
 
-// Equal points are refused, or merged with a note.
-void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged, Mesh& mesh,
-                         std::vector<std::string>& notes) {
-  if (repeated.empty()) return;
-  if (!are_merged) {
-    refuse_equal_points(repeated, "; to take equal points for one, set merge_equal_points");
-  }
-  merge_equal_points(mesh);
-  notes.push_back(report::note_of_merged_points(repeated));
-}
-
-Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_options& asked,
-               const check::Options& options, std::vector<std::string>& notes) {
-  const bool are_merged = asked.merge_equal_points != 0;
-  if (asked.within != nullptr) {
-    if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
-    settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
-    return judged_within(asked.within, claim, mesh, *domain, options);
-  }
-  if (claim == Claim::kComplex) {
-    const std::string fault = check::fault_of_demands(mesh, options.complex);
-    if (!fault.empty()) refuse_input(fault);
-    // Otherwise equal points break a rule of this claim.
-    if (are_merged) settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
-  }
-  auto verdict = check::judge(claim, mesh, domain, options);
-  if (verdict) return std::move(*verdict);
-  settle_equal_points(verdict.error().repeated, are_merged, mesh, notes);
-  return check::judge(claim, mesh, domain, options).value();
-}
-
-int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
-
-}  // namespace
 }  // namespace circumspect::c
 
 using namespace circumspect;
@@ -205,6 +228,37 @@ struct circumspect_verdict {
   std::vector<std::string> notes = {};
 };
 
+circumspect_verdict* c::kept_verdict(const Verdict& found, const Mesh& mesh, const Domain* domain,
+                                     const circumspect_options& asked, check::By by,
+                                     std::vector<std::string> notes) {
+  auto made = std::make_unique<circumspect_verdict>();
+  made->notes = std::move(notes);
+  const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
+  made->holds = found.holds();
+  made->unique = said(found.unique);
+  made->canonical = said(found.canonical);
+  made->text = report::explanation(found, mesh, domain) +
+               report::verdict_line(found, mesh, name, domain) + "\n";
+  if (asked.without_json == 0 || asked.with_pictures != 0) {
+    require_memory_for_json();
+    report::Json result = report::verdict(found, mesh, name, by, domain);
+    if (!made->notes.empty()) result["notes"] = made->notes;
+    if (asked.without_json == 0) {
+      made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
+    }
+    if (asked.with_pictures != 0) {
+      made->page.emplace().add(found, mesh, name, std::move(result), domain, made->notes);
+    }
+  }
+  for (const auto& [rule, tally] : found.tallies()) {
+    made->rules.emplace_back(identifier(rule).data(), static_cast<std::int64_t>(tally.count));
+  }
+  for (const Violation& violation : found.violations()) {
+    made->violations.push_back(kept_violation(violation, mesh));
+  }
+  return made.release();
+}
+
 circumspect_status circumspect_check(const char* claim, const circumspect_mesh* mesh,
                                      const circumspect_domain* domain,
                                      const circumspect_options* options,
@@ -214,7 +268,8 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     c::required(verdict, "a place for the verdict");
     const Claim known = c::claim_of(claim, domain != nullptr);
     const circumspect_options asked = c::asked_of(options);
-    const check::Options own = c::options_of(asked);
+    check::Options own = c::options_of(asked);
+    c::set_demands(asked.demands, known, own);
     Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
     if (asked.allow_empty == 0) {
       c::refuse_empty(judged, "; to judge an empty mesh, set allow_empty");
@@ -229,32 +284,10 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
       }
     }
     const Domain* const filled = about ? &*about : nullptr;
-    auto made = std::make_unique<circumspect_verdict>();
-    const Verdict found = c::judged(known, judged, filled, asked, own, made->notes);
-    const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
-    made->holds = found.holds();
-    made->unique = c::said(found.unique);
-    made->canonical = c::said(found.canonical);
-    made->text = report::explanation(found, judged, filled) +
-                 report::verdict_line(found, judged, name, filled) + "\n";
-    if (asked.without_json == 0 || asked.with_pictures != 0) {
-      c::require_memory_for_json();
-      report::Json result = report::verdict(found, judged, name, own.by, filled);
-      if (!made->notes.empty()) result["notes"] = made->notes;
-      if (asked.without_json == 0) {
-        made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
-      }
-      if (asked.with_pictures != 0) {
-        made->page.emplace().add(found, judged, name, std::move(result), filled, made->notes);
-      }
-    }
-    for (const auto& [rule, tally] : found.tallies()) {
-      made->rules.emplace_back(identifier(rule).data(), static_cast<std::int64_t>(tally.count));
-    }
-    for (const Violation& violation : found.violations()) {
-      made->violations.push_back(c::kept_violation(violation, judged));
-    }
-    *verdict = made.release();
+    std::vector<std::string> notes;
+    Verdict found = c::judged(known, judged, filled, asked, own, notes);
+    if (asked.within == nullptr) found.causes = c::causes_of(found, judged, filled, own);
+    *verdict = c::kept_verdict(found, judged, filled, asked, own.by, std::move(notes));
   });
 }
 

@@ -1,6 +1,8 @@
-// Replays findings/: the mesh that each program wrote is judged against what it was given, and breaks
-// the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs them.
+// Replays findings/: the mesh that each program wrote is judged against what it was given, and
+// breaks the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs
+// them.
 #include <filesystem>
+#include <optional>
 
 #include <circumspect/judgement.hpp>
 #include <doctest/doctest.h>
@@ -16,9 +18,9 @@ namespace fs = std::filesystem;
 
 const std::string kFindings = CIRCUMSPECT_CORPUS_DIR "/findings/";
 
-// One line: a name; a claim, with the kind of the domain if it is one; the rule that is broken first,
-// or how the program ended without a mesh; the file that it read; the mesh that it wrote or vouched
-// for, "-" if there is none; the command, for people.
+// One line: a name; a claim, with the kind of the domain if it is one; the rule that is broken
+// first, or how the program ended without a mesh; the file that it read; the mesh that it wrote or
+// vouched for, "-" if there is none; the command, for people.
 struct FindingRow {
   std::string name;
   std::vector<std::string> claim;
@@ -39,7 +41,14 @@ std::vector<FindingRow> finding_rows() {
   return rows;
 }
 
-bool is_about_points(const FindingRow& row) { return row.claim.at(0) == name(Claim::kDelaunay); }
+// The claim about points; none if it is about a domain.
+std::optional<Claim> claim_about_points(const FindingRow& row) {
+  for (const Claim claim : {Claim::kDelaunay, Claim::kConvexHull}) {
+    if (row.claim.at(0) == name(claim)) return claim;
+  }
+  return std::nullopt;
+}
+bool is_about_points(const FindingRow& row) { return claim_about_points(row).has_value(); }
 
 formats::RawPoints points_of(const FindingRow& row) {
   auto raw = formats::read_points(row.input, NumberReading::kDouble);
@@ -60,7 +69,7 @@ std::string rule_of_points(const FindingRow& row) {
   const std::vector<Simplex> simplices = raw->mesh.simplices.lists();
   const ExactMesh mesh =
       arrays::exact_mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
-  return first_rule(check::judge_points(Claim::kDelaunay, mesh, {.max_violations = 1}));
+  return first_rule(check::judge_points(*claim_about_points(row), mesh, {.max_violations = 1}));
 }
 
 std::string rule_of_domain(const FindingRow& row) {

@@ -26,14 +26,16 @@ HERE = Path(__file__).resolve().parent
 RUNS = HERE / "runs.tsv"
 COLUMNS = ("target", "library", "version", "language", "dimensions", "numbers", "page", "from", "build", "command", "claim")
 RUN_COLUMNS = ("target", "dimension", "regime", "date", "seconds", "cases", "holds", "refused", "signatures")
-# What users have: no families whose names promise exponents that nobody has, and neither is anything scaled.
+# What users have: no families whose names promise exponents that nobody has, and neither is
+# anything scaled.
 FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
 # All others are about domains.
-POINT_CLAIMS = {"delaunay", "triangulation"}
+POINT_CLAIMS = {"delaunay", "triangulation", "convex-hull"}
 # These reserve much address space.
 VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
-# Points of which some are flat or cospherical up to this share of their extent and not exactly, or that lie so far from the origin
-# that their differences have few digits left, are "near": only exact predicates avoid such faults.
+# Points of which some are flat or cospherical up to this share of their extent and not exactly, or
+# that lie so far from the origin that their differences have few digits left, are "near": only
+# exact predicates avoid such faults.
 MARGIN = Fraction(1, 10 ** 9)
 
 
@@ -88,7 +90,7 @@ def answer_once(row, builds, path, others=None):
         return 128 - ended.returncode if ended.returncode < 0 else ended.returncode or int(bool(points))
     rows = ended.stdout.splitlines()
     numbered = [f"{i} {row}" for i, row in enumerate(rows[1:1 + int(rows[0])])]
-    path.with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(points[0]) + 1} 0", *numbered]) + "\n")
+    path.with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(numbered[0].split()) - 1 if numbered else len(points[0]) + 1} 0", *numbered]) + "\n")
     return 0
 
 

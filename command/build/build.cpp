@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "command/build/mesh_output.hpp"
+#include "command/build/point_constructions.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
@@ -20,8 +21,8 @@
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
+#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lexicographic.hpp"
-#include "reference/delaunay/simplex_predicates.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -111,13 +112,13 @@ bool write_files(const BuildOptions& options, const ExactMesh& mesh,
 
 void build_triangulation(const BuildOptions& options, Output& output) {
   output.begin("reading " + options.points);
-  std::vector<Duplicate> merged;
-  const auto loaded = load_points(options.points, options.input, &merged);
+  const auto loaded = load_points(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
   output.notes(loaded->notes);
+  if (loaded->merging) output.notes({*loaded->merging});
   const ExactMesh& mesh = loaded->mesh;
   output.begin("triangulating " + options.points,
                seconds_of_triangulating(mesh.points.size(), mesh.points.dimension()));
@@ -127,7 +128,7 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   const Triangulation triangulation = construct_triangulation(
       options, mesh.points, output.progress(), statistics, has_steps ? &steps : nullptr);
   output.end_watch();
-  if (!write_files(options, mesh, merged, triangulation, output)) return;
+  if (!write_files(options, mesh, loaded->merged, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
   }
@@ -299,6 +300,7 @@ void add_build(CLI::App& app, ExitCode& exit_code) {
   add_triangulation(*build, "lexicographic",
                     "The lexicographic triangulation, which is not Delaunay in general", exit_code);
   add_build_subdivision(*build, exit_code);
+  add_build_voronoi(*build, exit_code);
   add_build_all_triangulations(*build, exit_code);
   add_build_constrained(*build, exit_code);
 }

@@ -13,6 +13,7 @@
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::cli {
@@ -78,6 +79,7 @@ ExitCode run(const SubdivisionOptions& options) {
     return output.finish();
   }
   output.notes(loaded->notes);
+  if (loaded->merging) output.notes({*loaded->merging});
   const PolyhedralComplex complex = subdivisions().at(options.algorithm)(loaded->mesh.points);
   if (output.wants_text()) output.text(text(*loaded, complex));
   if (output.wants_json()) output.json(json(*loaded, complex));

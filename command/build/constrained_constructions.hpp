@@ -21,6 +21,14 @@ struct DomainMesh {
   std::vector<std::string> steiner_points = {};  // where each is: "on segment 1 2"
   // Set if this is a CDT, but not the canonical one: why there is no canonical one.
   std::optional<std::string> not_canonical = {};
+  // The third coordinate of all points of the domain, if it was left out. It is written again.
+  std::optional<Rational> height = {};
+
+  Point as_given(Vertex v) const {
+    Point point = points[v];
+    if (height) point.push_back(*height);
+    return point;
+  }
 };
 
 // Why there is none. Not proved: another algorithm, a higher limit or more points may make one.
@@ -32,10 +40,10 @@ struct NoMesh {
 // What is to be made of a domain, and how.
 struct DomainConstruction {
   std::string what;  // planar-cdt, cdt, steiner-cdt or conforming-delaunay
-  // One of `algorithms_for` it. If none is asked for: gift-wrapping; but for a steiner-cdt in space,
-  // which is that of an edge-protected domain, and for a cdt of one with more than kFewVertices
-  // vertices, polygon-flips, if it succeeds. For a cdt in space, where there is no canonical one,
-  // then a search for another. An algorithm that is asked for is not
+  // One of `algorithms_for` it. If none is asked for: gift-wrapping; but for a steiner-cdt in
+  // space, which is that of an edge-protected domain, and for a cdt of one with more than
+  // reference::kFewVertices vertices, polygon-flips, if it succeeds. For a cdt in space, where
+  // there is no canonical one, then a search for another. An algorithm that is asked for is not
   // replaced by that search, but whether there is none at all is decided in either case.
   std::optional<std::string> algorithm = {};
   SearchLimits search = {};                  // cdt

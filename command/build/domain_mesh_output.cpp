@@ -27,7 +27,8 @@ formats::SimplexFile numbered(const std::vector<Simplex>& simplices, std::size_t
   return file;
 }
 
-// Those of full dimension, positively oriented. (Triangles of polygons in space have no orientation.)
+// Those of full dimension, positively oriented. (Triangles of polygons in space have no
+// orientation.)
 formats::SimplexFile simplices_of(const DomainMesh& mesh, Vertex first_index) {
   const std::size_t full = mesh.points.ambient_dimension() + 1;
   std::vector<Simplex> simplices = mesh.triangulation.simplices;
@@ -57,8 +58,10 @@ formats::SimplexFile dangling(const DomainMesh& mesh, std::size_t size, Vertex f
 
 formats::PointFile points_of(const DomainMesh& mesh, Vertex first_index) {
   formats::PointFile file;
-  file.dimension = mesh.points.ambient_dimension();
-  file.points = mesh.points.points();
+  file.dimension = mesh.points.ambient_dimension() + (mesh.height ? 1 : 0);
+  for (Vertex v = 0; v < static_cast<Vertex>(mesh.points.size()); ++v) {
+    file.points.push_back(mesh.as_given(v));
+  }
   file.first_index = first_index;
   return file;
 }
@@ -92,8 +95,8 @@ ElementWriter writer_of(const std::string& extension) {
   return extension == ".vtu" ? formats::write_vtu : nullptr;
 }
 
-// Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any name,
-// has nothing beside it.
+// Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any
+// name, has nothing beside it.
 bool has_files_beside(const std::string& path) { return formats::extension(path) == ".ele"; }
 bool is_stream(const std::string& path) {
   const std::string end = formats::extension(path);

@@ -1,25 +1,21 @@
-// Writes triangulations to files, and lists the constructions that make them, by name.
+// Writes triangulations to files.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "command/build/steps.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::cli {
 
-// What is wrong with OUT of `-o OUT`, if only files of some extensions and "-" can be written; empty
-// if nothing is. Whatever is there and no file, a pipe say, may have any name, and then gets what
-// would go to standard output.
+// What is wrong with OUT of `-o OUT`, if only files of some extensions and "-" can be written;
+// empty if nothing is. Whatever is there and no file, a pipe say, may have any name, and then gets
+// what would go to standard output.
 std::string output_name_fault(const std::string& path,
                               const std::vector<std::string_view>& extensions);
 
@@ -41,26 +37,8 @@ std::string points_beside(const std::string& path, const std::string& input);
 // which simplex_file lists both; −1 on the hull.
 formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
-// The document lists the points itself, without those that were merged, so that vertices are counted
-// among these.
+// The document lists the points itself, without those that were merged, so that vertices are
+// counted among these.
 formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation);
-
-// ---- Constructions ----
-// The constructions of the canonical Delaunay triangulation, by the names that users type.
-
-// What a construction may be told, and what it may tell. Orders and locations concern Bowyer–Watson.
-struct ConstructionOptions {
-  delaunay::BowyerWatsonOptions bowyer_watson = {};
-  delaunay::Statistics* statistics = nullptr;
-  Steps* steps = nullptr;
-};
-
-using Construction = std::function<Triangulation(const PointSet&, const ConstructionOptions&)>;
-
-// All give the same set of simplices. A new algorithm is one line here.
-const std::map<std::string, Construction>& constructions();
-
-// "bowyer-watson|by-definition|…"
-std::string construction_names();
 
 }  // namespace circumspect::cli

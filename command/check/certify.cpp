@@ -12,7 +12,9 @@
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
-#include "command/options/whole_number.hpp"
+#include "command/options/option_rows.hpp"
+#include "command/options/threads.hpp"
+#include "command/options/usage_faults.hpp"
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
@@ -121,23 +123,19 @@ void certify(const CertifyOptions& options, Output& output) {
           ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
           : write_domain_certificate(options.certificate, options.mesh, mesh, *domain, *verdict,
                                      output);
+  if (const auto note = note_of_merging(*loaded)) output.notes({*note});
   if (written) report(options, *verdict, loaded->mesh, about, output);
 }
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  const bool about_domain = options.asked && is_about_a_domain(*options.asked);
-  if (about_domain && !options.domain) {
-    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.asked));
-  }
-  if (options.asked && !about_domain && options.domain) {
-    return fmt::format("expected no --domain for the claim {}, found one", name(*options.asked));
-  }
-  if (options.said.is_given() && !options.domain) {
-    return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
-  }
-  if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
-  return domain_options_fault(options.said);
+  const bool is_unproved =
+      options.asked && is_about_a_list(*options.asked) && *options.asked != Claim::kComplex;
+  return first_fault(
+      {{is_unproved, fmt::format("expected a claim of which something is proved, found {}",
+                                 is_unproved ? name(*options.asked) : "")},
+       domain_options_fault(options.said, options.asked, options.domain.has_value()),
+       certificate_fault(options.said)});
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -186,29 +184,24 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       "the\n"
       "plane or space, 3 the input is at fault, 4 interrupted or stopped by --limit, 5\n"
       "internal error.");
-  command->add_option("mesh", options->mesh, "A mesh, in any format that check reads")->required();
-  command
-      ->add_option("-o,--output", options->certificate,
-                   "The file for the certificate or the refutation. With -, it goes to stdout, and "
-                   "nothing else does")
-      ->option_text("FILE")
-      ->required();
+  add_options(*command,
+              {{"mesh", "", required(options->mesh), "A mesh, in any format that check reads"},
+               {"-o,--output", "FILE", required(options->certificate),
+                "The file for the certificate or the refutation. With -, it goes to "
+                "stdout, and nothing else does"}});
   add_claim_option(
       *command, options->asked,
       "The claim to judge (default: that of check). Weights are read as check reads them")
       ->option_text("CLAIM");
-  command->add_option("--domain", options->domain, "The domain that the mesh must fill")
-      ->option_text("FILE");
+  add_options(*command,
+              {{"--domain", "FILE", into(options->domain), "The domain that the mesh must fill"}});
   add_domain_options(*command, options->said);
-  command->add_option("--points", options->input.points, "The file with the points of the mesh")
-      ->option_text("FILE");
   const std::map<std::string, check::By> manners = {{"lemma", check::By::kLemma},
                                                     {"definition", check::By::kDefinition}};
-  command
-      ->add_option("--by", options->by,
-                   "Judge by the lemmas (default) or, slowly, by the definitions")
-      ->transform(one_of(manners))
-      ->option_text("lemma|definition");
+  add_options(*command, {{"--points", "FILE", into(options->input.points),
+                          "The file with the points of the mesh"},
+                         {"--by", "lemma|definition", into(options->by, one_of(manners)),
+                          "Judge by the lemmas (default) or, slowly, by the definitions"}});
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

@@ -6,6 +6,8 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"
@@ -17,8 +19,8 @@ constexpr int kTimesTenSmaller = 4;  // a distance is divided by ten
 
 bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
 
-// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
-// polygon has it as well.
+// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing
+// itself; none if another polygon has it as well.
 std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDomain& domain) {
   const auto bounds_nothing = [&](std::size_t polygon) {
     return std::binary_search(domain.bound_nothing.begin(), domain.bound_nothing.end(), polygon);
@@ -53,21 +55,12 @@ std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& m
       path);
 }
 
-// As many are judged as a complex in about a second.
-constexpr std::size_t kMostTriedAsComplex = 50'000;
-
 }  // namespace
 
-KnownMesh::KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options)
-    : exact(circumspect::exact(mesh)),
-      facts(check::facts_of_simplices(claim, mesh, kind, options)) {}
-
-tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const KnownMesh& mesh, const Domain& domain,
-                                                      const check::Options& options,
-                                                      const BentDomain* bent,
-                                                      const check::Markers& markers,
-                                                      check::Work* work) {
+tl::expected<Verdict, check::NotJudged> judged_within(
+    const Distance& distance, Claim claim, const check::KnownMesh& mesh, const Domain& domain,
+    const check::Options& options, const BentDomain* bent, const check::Markers& markers,
+    check::Work* work) {
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
   const auto judged = [&] {
@@ -76,8 +69,9 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
                                work);
   };
   auto verdict = judged();
-  // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
-  // smaller one finds what is missing, and what holds at none of those that were looked at does not hold at it.
+  // The distance also says how flat joined polygons are. It may be larger than what tells cells
+  // apart: then a smaller one finds what is missing, and what holds at none of those that were
+  // looked at does not hold at it.
   for (int times = 0; bent != nullptr && !verdict && verdict.error().is_input_fault; ++times) {
     if (times == kTimesTenSmaller) break;
     squared /= 100;
@@ -91,25 +85,20 @@ std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh
   std::vector<std::string> notes;
   for (auto& note :
        {note_of_surface(verdict, mesh, path), report::note_of_domain_not_given(verdict, mesh, path),
-        report::note_of_set_apart(verdict, path)}) {
+        report::note_of_set_apart(verdict, path), report::note_of_cut_counts(verdict, path)}) {
     if (note) notes.push_back(*note);
   }
   return notes;
 }
 
-std::optional<std::string> note_of_complex(const Verdict& verdict, const Mesh& mesh,
-                                           const std::string& path) {
-  const bool may_be_complex =
-      breaks(verdict, Rule::kHullNotConvex) || breaks(verdict, Rule::kHullNotClosed);
-  if (!may_be_complex || verdict.claim() == Claim::kWeightedDelaunay) return std::nullopt;
-  if (mesh.simplices.size() > kMostTriedAsComplex) {
-    return path + ": --claim complex tells whether the simplices fit together, whatever they fill";
-  }
-  const auto alone = check::judge(Claim::kComplex, mesh, nullptr, {.max_violations = 1});
-  if (!alone) return std::nullopt;
+std::optional<std::string> note_of_complex(const Verdict& verdict, const std::string& path,
+                                           const std::optional<Verdict>& alone) {
+  auto note = report::note_of_claim_complex(verdict, path);
+  if (!note || !alone) return note;
   if (alone->holds()) {
     return path + ": with --claim complex it holds: the simplices fit together, whatever they fill";
   }
+  if (alone->complex->set_apart > 0) return report::note_of_set_apart(*alone, path);
   const auto& [rule, tally] = *alone->tallies().begin();
   return fmt::format("{}: with --claim complex it fails, too: {} {}", path, identifier(rule),
                      tally.count);
@@ -159,7 +148,8 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
 
 namespace {
 
-// What may be all that is wrong, each with options that allow for it, is tried in turn, until the claim holds.
+// What may be all that is wrong, each with options that allow for it, is tried in turn, until the
+// claim holds.
 class Remedies {
  public:
   Remedies(const Verdict& verdict, const Judged& judged, const check::Options& options)
@@ -182,8 +172,8 @@ class Remedies {
   }
 
  private:
-  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more, and more than half a
-  // second, the note proposes to find out.
+  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more,
+  // and more than half a second, the note proposes to find out.
   static constexpr std::size_t kLeastWork = 1'000'000;
   static constexpr std::size_t kWorkOfSimplex = 1;
 
@@ -259,7 +249,7 @@ class Remedies {
   const Verdict& verdict_;
   const Judged& judged_;
   const check::Options& options_;
-  KnownMesh mesh_;
+  check::KnownMesh mesh_;
   bool is_unsettled_ = false;           // was a search given up?
   std::optional<LoadedDomain> joined_;  // if that is not the domain itself
   std::optional<std::string> note_;

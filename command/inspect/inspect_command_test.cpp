@@ -77,8 +77,6 @@ TEST_CASE("inspect: one line for each fact, and --only some of them") {
   CHECK(run({"inspect", cube, "--only", "cdts"}).exit_code == 2);
 }
 
-// ---- Pages ----
-
 TEST_CASE("inspect: a page has a card for each breach of a domain, with a picture") {
   const ScratchFolder folder;
   const std::string page = folder.path("page.html");
@@ -180,8 +178,6 @@ TEST_CASE("inspect: a page never replaces what is read, and there is none of wha
   CHECK(!std::filesystem::exists(page));
 }
 
-// ---- Long work ----
-
 TEST_CASE("inspect: whether there is a CDT may stay open, unless --decide asks") {
   const ScratchFolder folder;
   const std::string domain = folder.write("s.poly", schonhardt_and(200));
@@ -242,7 +238,8 @@ TEST_CASE("--limit ends long work with what is known") {
   CHECK(run({"inspect", points, "--limit", "0"}).exit_code == 2);
 }
 
-// The command with a terminal for its standard error, interrupted once the terminal shows `awaited`.
+// The command with a terminal for its standard error, interrupted once the terminal shows
+// `awaited`.
 struct Session {
   int exit_code = -1;
   std::string out;

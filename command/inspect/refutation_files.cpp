@@ -1,8 +1,10 @@
+#include "command/inspect/refutation_files.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "command/inspect/inspect_domain.hpp"
 #include "command/output/output.hpp"
+#include "reference/existence/dimacs.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::cli {

@@ -32,8 +32,6 @@ struct Broken {
 Broken broken_rule(const Triangulator& subject, Property property, const PropertyOptions& options,
                    const generators::PointsCase& set, std::uint64_t seed);
 
-// ---- Property rule ----
-
 namespace {
 
 Answer answer_to(const Triangulator& subject, const PropertyOptions& options,
@@ -123,7 +121,7 @@ bool is_the_only_answer(const PropertyOptions& options, const PointArray& points
   const bool weighted = options.claim == "weighted-delaunay";
   Mesh mesh = arrays::mesh_of(points, given.simplices, weighted);
   const Claim claim = weighted ? Claim::kWeightedDelaunay : Claim::kDelaunay;
-  const Verdict verdict = check::judge_merged(claim, mesh, nullptr, {.threads = 1});
+  const Verdict verdict = check::judge(claim, check::Merging{mesh}, nullptr, {.threads = 1});
   return verdict.holds() && verdict.unique.value_or(false);
 }
 
@@ -162,8 +160,6 @@ Broken broken_rule(const Triangulator& subject, Property property, const Propert
 }  // namespace circumspect::harness
 
 namespace circumspect {
-
-// ---- Properties ----
 
 namespace {
 

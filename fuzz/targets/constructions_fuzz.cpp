@@ -1,9 +1,12 @@
-// Every construction of the canonical (weighted) Delaunay triangulation equals the one by definition.
-// Book: Sections 5.2 to 5.5. Input: a byte with dimension (bit 0) and weights (bit 1), then points.
+// Every construction of the canonical (weighted) Delaunay triangulation equals the one by
+// definition. Book: Sections 5.2 to 5.5. Input: a byte with dimension (bit 0) and weights (bit 1),
+// then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
+#include "reference/delaunay/flip_insertion.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::fuzz {

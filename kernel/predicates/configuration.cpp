@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect {
 namespace {
 
@@ -13,7 +15,10 @@ template <class IsBefore>
 std::vector<std::size_t> ranks_by(std::size_t points, const IsBefore& is_before) {
   std::vector<std::size_t> order(points);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), is_before);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    end_if_interrupted();
+    return is_before(a, b);
+  });
   std::vector<std::size_t> ranks(points);
   for (std::size_t place = 0; place < order.size(); ++place) ranks[order[place]] = place;
   return ranks;
@@ -33,11 +38,6 @@ std::vector<long> leading_words(const std::vector<Integer>& numbers) {
     words.push_back(word.get_si());
   }
   return words;
-}
-
-// value · scale, which is known to be an integer.
-Integer scaled(const Rational& value, const Integer& scale) {
-  return value.get_num() * exact_quotient(scale, value.get_den());
 }
 
 }  // namespace
@@ -71,9 +71,10 @@ void Configuration::choose_denominators(const std::vector<Point>& points,
   denominators_.assign(points.size(), Integer(1));
   Integer common = 1;
   for (std::size_t v = 0; v < points.size(); ++v) {
+    end_if_interrupted();
     Integer& own = denominators_[v];
-    for (const Rational& x : points[v]) own = least_common_multiple(own, x.get_den());
-    if (!weights.empty()) own = least_common_multiple(own, weights[v].get_den());
+    own = common_denominator(points[v]);
+    if (!weights.empty()) own = common_denominator({&weights[v], 1}, own);
     if (!has_common_denominator_) continue;
     common = least_common_multiple(common, own);
     has_common_denominator_ = bit_length(common) <= kLargestCommonScale;
@@ -86,14 +87,15 @@ void Configuration::scale_to_integers(const std::vector<Point>& points,
   numerators_.reserve(points.size() * ambient_dimension_);
   heights_.reserve(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
+    end_if_interrupted();
     const Integer& denominator = denominators_[v];
     Integer height = 0;
     for (const Rational& x : points[v]) {
-      const Integer numerator = scaled(x, denominator);
+      const Integer numerator = numerator_over(denominator, x);
       height += numerator * numerator;
       numerators_.push_back(numerator);
     }
-    if (!weights.empty()) height -= scaled(weights[v], denominator) * denominator;
+    if (!weights.empty()) height -= numerator_over(denominator, weights[v]) * denominator;
     heights_.push_back(height);
   }
 }

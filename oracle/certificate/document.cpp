@@ -153,13 +153,11 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
   write_because(lines, refutation);
 }
 
-// ---- Document ----
-
 namespace {
 
 // What certificates do not cover; empty if they cover this.
 std::string limit(const ExactMesh& mesh, Claim claim, bool holds) {
-  if (is_about_a_domain(claim)) {
+  if (is_about_a_domain(claim) || (is_about_a_list(claim) && claim != Claim::kComplex)) {
     return fmt::format(
         "expected complex, triangulation, delaunay or weighted-delaunay for a certificate, found "
         "{}",

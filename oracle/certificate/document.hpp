@@ -17,7 +17,6 @@
 
 namespace circumspect::certificate {
 
-// ---- Refutation ----
 // What proves that a claim does not hold of a mesh: one fault, with the evidence by which it can be
 // seen. proofs/CERTIFICATE.md says which evidence each rule takes.
 
@@ -44,7 +43,6 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
                 const Refutation& refutation, std::string_view words = "");
 void write_because(Lines& lines, const Refutation& refutation);
 
-// ---- Document ----
 // A verdict with what proves it to somebody who trusts neither this program nor the one that made the
 // mesh.
 

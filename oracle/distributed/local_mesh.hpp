@@ -20,8 +20,6 @@
 
 namespace circumspect::distributed {
 
-// ---- Dealt ----
-
 // Rows of indices: in memory, or in a file that is read in batches, each time they are asked for.
 class ListedRows {
  public:
@@ -74,8 +72,6 @@ struct Dealt {
   std::pmr::vector<std::uint64_t> places = {};  // in the whole list; empty: they are consecutive
   Vertex first_index = 0;                       // the user's index of the first point
 };
-
-// ---- Local mesh ----
 
 // A facet of a simplex of some rank: simplex · (d + 1) + place of the vertex opposite, as that rank
 // counts.
@@ -155,7 +151,21 @@ class LocalMesh {
   };
 
   void number_points(const PointNumbers& numbers);
+  // A simplex on its way to another rank, and its place along the curve: that of its first vertex,
+  // then its number, mixed; no two are equal.
+  struct Moved {
+    std::array<std::int64_t, kVertices> row;
+    std::uint64_t place;
+  };
+  struct CurvePlace {
+    std::uint64_t of_vertex, of_simplex;
+    auto operator<=>(const CurvePlace&) const = default;
+  };
   void deal_by_place(Ranks& ranks);
+  void append_moved(std::uint64_t first, std::size_t count, std::vector<Moved>& some) const;
+  std::vector<CurvePlace> places_of(Ranks& ranks, const std::vector<Moved>& some,
+                                    const SiteBox& box) const;
+  std::vector<CurvePlace> beginnings(Ranks& ranks, const SiteBox& box) const;
   std::vector<std::uint64_t> curve_places(Ranks& ranks, std::span<const std::uint64_t> points,
                                           const SiteBox& box) const;
   SiteBox box_of_all(Ranks& ranks) const;

@@ -1,67 +1,28 @@
 #include "oracle/judge/judge.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <string>
+#include <optional>
 #include <string_view>
-#include <thread>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
+#include "oracle/judge/failing_complex.hpp"
 #include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/fast_view.hpp"
 #include "oracle/judge/held_complex.hpp"
+#include "oracle/judge/held_surface.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
 namespace {
 
-// What the fast engine says, or why it says nothing.
-template <class Answer>
-using OrReason = tl::expected<Answer, std::string_view>;
-tl::unexpected<std::string_view> because(std::string_view reason) { return tl::unexpected(reason); }
-
 fast::Question question_of(Claim claim) {
   if (claim == Claim::kTriangulation) return fast::Question::kTriangulation;
   return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
-}
-
-unsigned threads_of(const Options& options) {
-  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-}
-
-// Calls `answer(view)` with the mesh as the fast engine sees it, without neighbours.
-template <class Answer, class Ask>
-OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) {
-  const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
-  const auto* const weights = std::get_if<Rows<double>>(&mesh.weights);
-  if (coordinates == nullptr || (weighted && weights == nullptr)) {
-    return because("a number that is no double");
-  }
-  return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> OrReason<Answer> {
-    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
-      return because("simplices of various sizes");
-    } else {
-      const auto simplices = lists.values();
-      using Index = typename decltype(simplices)::value_type;
-      const std::span<const double> counted =
-          weighted ? weights->values() : std::span<const double>();
-      if (lists.rows() == 0) return because(description(fast::Undecided::kEmpty));
-      if (lists.columns() != mesh.dimension() + 1) {
-        return because("simplices of a lower dimension");
-      }
-      if (mesh.dimension() == 2) {
-        return ask(fast::MeshView<2, Index>{coordinates->values(), counted, simplices});
-      }
-      if (mesh.dimension() == 3) {
-        return ask(fast::MeshView<3, Index>{coordinates->values(), counted, simplices});
-      }
-      return because("a dimension other than 2 and 3");
-    }
-  });
 }
 
 using FactsOrUndecided = tl::expected<fast::Facts, fast::Undecided>;
@@ -116,21 +77,6 @@ OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options&
   });
 }
 
-OrReason<fast::SimplexFacts> known_facts(Claim claim, const Mesh& mesh, DomainKind kind,
-                                         const Options& options) {
-  if (options.by != By::kLemma) return because("judged by definition");
-  const fast::Wanted wanted{.balls = is_about_balls(claim),
-                            .hull = kind == DomainKind::kHull,
-                            .boundary_balls = claim == Claim::kConformingDelaunay};
-  return asked_of_rows<fast::SimplexFacts>(
-      mesh, false, [&](const auto& view) -> OrReason<fast::SimplexFacts> {
-        auto facts = fast::simplex_facts(view, wanted, threads_of(options));
-        if (!facts) return because(description(facts.error()));
-        if (options.oriented && !facts->oriented) return because("simplices oriented by turns");
-        return std::move(*facts);
-      });
-}
-
 // The verdict on a mesh that holds, if that is seen at once.
 std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
                                       const fast::SimplexFacts& facts, const Options& options) {
@@ -150,7 +96,7 @@ std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domai
 
 Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
                          const Options& options) {
-  const auto facts = known_facts(claim, mesh, domain.complex.kind, options);
+  const auto facts = facts_of_simplices(claim, mesh, domain.complex.kind, options);
   std::optional<Verdict> held =
       facts ? held_in_domain(claim, mesh, domain, *facts, options) : std::nullopt;
   Verdict verdict =
@@ -165,11 +111,15 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
 }
 
 template <std::size_t kDimension, typename Index>
-OrReason<Verdict> held_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
+OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view,
+                               const Options& options) {
   if (options.by != By::kLemma) return because("judged by definition");
-  auto held = held_complex(view, options.complex, options.max_violations, threads_of(options));
-  if (!held) return because("something to be asked of exact numbers");
-  return std::move(*held);
+  auto verdict = held_complex(view, options.complex, options.max_violations, threads_of(options));
+  if (!verdict) {
+    verdict = failing_complex(view, options.complex, options.max_violations, threads_of(options));
+  }
+  if (!verdict) return because("something to be asked of exact numbers");
+  return std::move(*verdict);
 }
 
 }  // namespace
@@ -179,14 +129,21 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   assert((domain != nullptr) == is_about_a_domain(claim));
   if (claim == Claim::kComplex) {
     const auto held = asked_of_rows<Verdict>(
-        mesh, false, [&](const auto& view) { return held_fast(view, options); });
+        mesh, false, [&](const auto& view) { return complex_fast(view, options); });
     if (held) return *held;
+    if (options.by == By::kLemma) {
+      auto surface = held_surface(mesh, options.complex, options.max_violations);
+      if (surface) return std::move(*surface);
+    }
     return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
                          options.by == By::kDefinition, options.max_violations);
   }
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
-  if (domain == nullptr) {
+  const bool is_about_list = is_about_a_list(claim);
+  if (is_about_list) {
+    why_not_fast = "a claim about a list";
+  } else if (domain == nullptr) {
     OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
     if (verdict) return std::move(*verdict);
     why_not_fast = verdict.error();
@@ -194,7 +151,7 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
   if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
-  if (options.by == By::kLemma) {
+  if (options.by == By::kLemma && !is_about_list) {
     OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options, std::move(swept));
     if (verdict) return std::move(*verdict);
   }
@@ -203,28 +160,17 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   return verdict;
 }
 
-Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options) {
+Verdict judge(Claim claim, Merging merging, const Domain* domain, const Options& options) {
+  Mesh& mesh = merging.mesh;
   if (claim != Claim::kComplex) {
     auto verdict = judge(claim, mesh, domain, options);
     if (verdict) return std::move(*verdict);
   }
-  merge_equal_points(mesh);
-  return judge(claim, mesh, domain, options).value();
-}
-
-std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
-  std::size_t size = mesh.simplices.columns();
-  for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
-    size = std::max(size, mesh.simplices[i].size());
+  const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+  if (merging.merged != nullptr) {
+    merging.merged->insert(merging.merged->end(), repeated.begin(), repeated.end());
   }
-  return fault_of_demands(demands, size, mesh.dimension());
-}
-
-std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
-                                                     const Options& options) {
-  auto facts = known_facts(claim, mesh, kind, options);
-  if (!facts) return std::nullopt;
-  return std::move(*facts);
+  return judge(claim, mesh, domain, options).value();
 }
 
 }  // namespace circumspect::check

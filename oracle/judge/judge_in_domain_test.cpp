@@ -1,10 +1,11 @@
-// Meshes of domains, judged with what the fast judge knows of their simplices and without: the same word
-// for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_slow_test.cpp.
+// Meshes of domains, judged with what the fast judge knows of their simplices and without: the same
+// word for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_slow_test.cpp.
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
@@ -16,7 +17,7 @@ constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulat
 std::optional<fast::SimplexFacts> facts_of(Claim claim, const ExactMesh& mesh, const Domain& domain,
                                            Options options = {}) {
   options.threads = 2;
-  return facts_of_simplices(claim, in_rows(mesh), domain.complex.kind, options);
+  return KnownMesh(claim, in_rows(mesh), domain.complex.kind, options).facts;
 }
 
 Verdict judged(Claim claim, const ExactMesh& mesh, const Domain& domain, Options options = {}) {
@@ -31,7 +32,8 @@ struct Counted {
   std::size_t broken = 0;
 };
 
-// The fast judge finds what the exact predicates find, if it finds anything; and the verdict is the same.
+// The fast judge finds what the exact predicates find, if it finds anything; and the verdict is the
+// same.
 void compare(Claim claim, const ExactMesh& mesh, const Domain& domain, const Options& options,
              Counted& counted) {
   const std::optional<fast::SimplexFacts> known = facts_of(claim, mesh, domain, options);

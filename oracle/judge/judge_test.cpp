@@ -1,5 +1,6 @@
-// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast engine does
-// not take: what it says is what the exact checkers say. On the corpus: corpus/judge_test.cpp.
+// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast
+// engine does not take: what it says is what the exact checkers say. On the corpus:
+// corpus/judge_test.cpp.
 #include "oracle/judge/judge.hpp"
 
 #include <algorithm>
@@ -12,14 +13,15 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
 
-// Triangulations with many facets that are not locally Delaunay: grids, each cube cut alike, whose inner
-// points are moved a little, and get weights.
+// Triangulations with many facets that are not locally Delaunay: grids, each cube cut alike, whose
+// inner points are moved a little, and get weights.
 
 // `side` points along each axis, two at least; coordinates and weights are doubles. By no more than
 // `steps` / 1024 each coordinate moves: up to 50 keep every simplex as it is oriented.
@@ -170,7 +172,8 @@ TEST_CASE("what the fast engine does not take, and why") {
         "a dimension other than 2 and 3");
 }
 
-// Each fault by itself and all of them together, in the midst of a mesh that is large enough for several chunks.
+// Each fault by itself and all of them together, in the midst of a mesh that is large enough for
+// several chunks.
 TEST_CASE(
     "every fault of a mesh of doubles is found fast, and told in the words of the exact checkers") {
   for (const std::size_t dimension : {2u, 3u}) {
@@ -272,7 +275,7 @@ TEST_CASE("equal points are an error, or count as one, and then the fast engine 
     CHECK(verdict.error().repeated[0].kept == 2);
     CHECK(verdict.error().repeated[0].again == 4);
   }
-  const Verdict merged = judge_merged(Claim::kDelaunay, mesh);
+  const Verdict merged = judge(Claim::kDelaunay, Merging{mesh});
   CHECK(merged.holds());
   CHECK(merged.points == 4);
   CHECK(merged.course.fast);

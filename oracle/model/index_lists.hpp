@@ -15,7 +15,6 @@
 
 namespace circumspect {
 
-// ---- Rows ----
 // Numbers in one piece of memory, row after row; large meshes are read into these.
 
 // It owns the memory, or views memory that outlives it. It can be moved, but not copied.
@@ -69,8 +68,6 @@ class Rows {
   const Value* values_ = nullptr;
 };
 
-// ---- Slices ----
-
 // A part of a list.
 struct Slice {
   std::uint64_t begin = 0;
@@ -101,7 +98,6 @@ struct PartOf {
   }
 };
 
-// ---- Index lists ----
 // Lists of indices, such as the simplices of a mesh: in one piece of memory if all have the same
 // length.
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
+#include "oracle/picture/overview.hpp"
 #include "oracle/picture/picture.hpp"
 #include "oracle/report/text.hpp"
 
@@ -92,6 +93,8 @@ void Page::add(const Verdict& verdict, const Mesh& mesh, const std::string& mesh
   }
   result["report"] = std::move(report);
   result["pictures"] = pictures(verdict, mesh, domain, shown);
+  const Json whole = overview(verdict, mesh, domain, shown);
+  if (!whole.is_null()) result["overview"] = whole;
   results_.push_back(std::move(result));
   text_ += beginning(on_lines(report::explanation(verdict, mesh, domain))) + line + "\n";
   if (title_.empty()) title_ = line;

@@ -73,7 +73,6 @@ class Page {
   std::size_t cards_ = 0;
 };
 
-// ---- Page source ----
 // The page without its data, with {{title}}, {{text}} and {{data}} where these belong, in this order:
 // page/page.built.html, which the build puts into the library.
 

@@ -38,7 +38,6 @@ std::vector<report::Json> pictures(const Verdict& verdict, const Mesh& mesh, con
 std::vector<report::Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
                                    const Domain* domain = nullptr);
 
-// ---- Cells ----
 // Witnesses as cells, for programs that show meshes: VTK's .vtu, as ParaView reads it, and Gmsh's .msh.
 
 enum class CellFormat { kVtu, kGmsh };
@@ -52,7 +51,6 @@ enum class CellFormat { kVtu, kGmsh };
 void write_cells(std::ostream& out, CellFormat format, const Verdict& verdict, const Mesh& mesh,
                  const Domain* domain = nullptr);
 
-// ---- Surroundings ----
 // What lies around witnesses: the few simplices and facets of a mesh that a picture of one needs beside it.
 
 struct Surroundings {
@@ -67,7 +65,9 @@ struct Surroundings {
 std::vector<Surroundings> surroundings(std::span<const Witness> witnesses, const Mesh& mesh,
                                        const Domain* domain, std::size_t room);
 
-// The facets that belong to one simplex alone. Simplices with indices that name no point are left out.
-std::vector<Simplex> boundary(const Mesh& mesh);
+// The facets that belong to one simplex alone, in order of their vertices within a pass. Simplices with indices that name
+// no point, or with more than four vertices, are left out. It passes over the mesh as often as keeps the facets that are
+// held at once to about `at_once`. Requires: at_once > 0.
+std::vector<Simplex> boundary(const Mesh& mesh, std::size_t at_once = 4'000'000);
 
 }  // namespace circumspect::picture

@@ -12,7 +12,6 @@
 
 namespace circumspect::picture {
 
-// ---- Picture ----
 // What is drawn of a witness: what is near, where it is, and what has no picture.
 
 namespace {
@@ -137,7 +136,6 @@ TEST_CASE(
   CHECK(boundary(rows).size() == 9);
 }
 
-// ---- Cells ----
 // Witnesses as cells: our own readers find in the files what was written.
 
 // A tetrahedron whose ball has vertex 5 inside, which an unused point accompanies.

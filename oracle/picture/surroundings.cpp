@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -175,21 +176,37 @@ std::vector<Surroundings> surroundings(std::span<const Witness> witnesses, const
   return found;
 }
 
-std::vector<Simplex> boundary(const Mesh& mesh) {
-  std::map<Simplex, std::size_t> uses;
-  for (std::size_t i = 0; i < mesh.simplices.size(); ++i) {
-    const Simplex simplex = sorted(mesh.simplices[i]);
-    if (simplex.empty() || has_repeated_vertex(simplex)) continue;
-    if (!mesh.names(simplex.front()) || !mesh.names(simplex.back())) continue;
-    for (std::size_t place = 0; place < simplex.size(); ++place) {
-      ++uses[facet_opposite(simplex, place)];
+std::vector<Simplex> boundary(const Mesh& mesh, std::size_t at_once) {
+  // A pass takes the facets whose least vertex falls to it. −1 stands for no vertex.
+  using Facet = std::array<Vertex, 3>;
+  const auto passes = static_cast<Vertex>(4 * mesh.simplices.size() / at_once + 1);
+  std::vector<Simplex> found;
+  for (Vertex pass = 0; pass < passes; ++pass) {
+    std::vector<Facet> facets;
+    for (std::size_t i = 0; i < mesh.simplices.size(); ++i) {
+      const Simplex simplex = sorted(mesh.simplices[i]);
+      if (simplex.size() < 2 || simplex.size() > 4 || has_repeated_vertex(simplex)) continue;
+      if (!mesh.names(simplex.front()) || !mesh.names(simplex.back())) continue;
+      for (std::size_t left_out = 0; left_out < simplex.size(); ++left_out) {
+        Facet facet = {-1, -1, -1};
+        std::size_t size = 0;
+        for (std::size_t place = 0; place < simplex.size(); ++place) {
+          if (place != left_out) facet[size++] = simplex[place];
+        }
+        if (facet[0] % passes == pass) facets.push_back(facet);
+      }
+    }
+    std::sort(facets.begin(), facets.end());
+    for (auto facet = facets.begin(); facet != facets.end();) {
+      const auto next =
+          std::find_if(facet, facets.end(), [&](const Facet& one) { return one != *facet; });
+      if (next == facet + 1) {
+        found.emplace_back(facet->begin(), std::find(facet->begin(), facet->end(), -1));
+      }
+      facet = next;
     }
   }
-  std::vector<Simplex> facets;
-  for (const auto& [facet, count] : uses) {
-    if (count == 1) facets.push_back(facet);
-  }
-  return facets;
+  return found;
 }
 
 }  // namespace circumspect::picture

@@ -65,14 +65,41 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
 }
 
 Json complex_facts(const ComplexFacts& facts) {
-  return {{"dimension", facts.dimension},
-          {"set_apart", facts.set_apart},
-          {"others_form_a_complex", facts.is_complex},
-          {"parts", facts.parts},
-          {"boundary_facets", facts.boundary_facets},
-          {"hanging_vertices", facts.hanging_vertices},
-          {"positive", facts.positive},
-          {"negative", facts.negative}};
+  Json object = {{"dimension", facts.dimension},
+                 {"set_apart", facts.set_apart},
+                 {"others_form_a_complex", facts.is_complex},
+                 {"parts", facts.parts},
+                 {"boundary_facets", facts.boundary_facets},
+                 {"hanging_vertices", facts.hanging_vertices},
+                 {"positive", facts.positive},
+                 {"negative", facts.negative}};
+  if (facts.are_counts_cut) object["counts_are_cut"] = true;
+  return object;
+}
+
+Json causes(const std::vector<Cause>& causes) {
+  Json array = Json::array();
+  for (const Cause& cause : causes) {
+    array.push_back({{"cause", cause.name},
+                     {"text", cause.words},
+                     {"explains", cause.explains},
+                     {"of", cause.of},
+                     {"of_listed", cause.of_listed}});
+  }
+  return array;
+}
+
+Json surface_facts(const SurfaceFacts& facts) {
+  return {{"interior_edges", facts.interior_edges},
+          {"boundary_edges", facts.boundary_edges},
+          {"edges_of_more_than_two", facts.edges_of_many}};
+}
+
+Json voronoi_facts(const VoronoiFacts& facts, const Mesh& sites) {
+  Json object = {{"squared_distance", value(facts.squared_distance)},
+                 {"distance_rounded_up", square_root_rounded_up(facts.squared_distance)}};
+  if (facts.site) object["site"] = sites.label(*facts.site);
+  return object;
 }
 
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
@@ -92,6 +119,9 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   if (witness.ball) object["ball"] = ball(*witness.ball);
   Json values = Json::object();
   for (const NamedValue& exact : witness.values) values[exact.name] = value(exact.value);
+  for (const RoundedValue& rounded : witness.rounded) {
+    values[rounded.name] = {{"decimal", rounded.decimal}};
+  }
   object["values"] = values;
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
@@ -167,6 +197,8 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   }
   if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
   if (verdict.complex) object["complex"] = complex_facts(*verdict.complex);
+  if (verdict.voronoi) object["voronoi"] = voronoi_facts(*verdict.voronoi, mesh);
+  if (verdict.surface) object["surface"] = surface_facts(*verdict.surface);
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
   Json tallies = Json::array();
@@ -176,6 +208,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
     tallies.push_back(entry);
   }
   object["rules"] = tallies;
+  if (!verdict.causes.empty()) object["causes"] = causes(verdict.causes);
   Json violations = Json::array();
   for (const Violation& broken : verdict.violations())
     violations.push_back(violation(broken, mesh, domain));

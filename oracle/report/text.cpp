@@ -93,6 +93,9 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   for (const NamedValue& value : witness.values) {
     fmt::format_to(to, "  {}: {}\n", value.name, value_text(value.value));
   }
+  for (const RoundedValue& value : witness.rounded) {
+    fmt::format_to(to, "  {} ~ {}\n", value.name, value.decimal);
+  }
 }
 
 std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
@@ -141,20 +144,46 @@ std::string complex_text(const ComplexFacts& facts) {
   return text;
 }
 
+// " 12 interior-edges 3 boundary-edges", and of more than two triangles, if there are any
+std::string surface_text(const SurfaceFacts& facts) {
+  std::string text = fmt::format(" {} {}", counted(facts.interior_edges, "interior-edge"),
+                                 counted(facts.boundary_edges, "boundary-edge"));
+  if (facts.edges_of_many > 0) {
+    text += fmt::format(" {} of more than two triangles", counted(facts.edges_of_many, "edge"));
+  }
+  return text;
+}
+
+// " within ~ 1.2e-16 at site 7": the least distance within which all cells are the exact ones
+std::string voronoi_text(const VoronoiFacts& facts, const Mesh& sites) {
+  if (!facts.site) return " within 0";
+  return fmt::format(" within ~ {} at site {}", square_root_rounded_up(facts.squared_distance),
+                     sites.label(*facts.site));
+}
+
 }  // namespace
 
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain) {
+  if (verdict.holds() && verdict.voronoi) {
+    return fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
+                       on_one_line(mesh_name), counted(verdict.points, "site"),
+                       counted(verdict.simplices, "cell")) +
+           voronoi_text(*verdict.voronoi, mesh);
+  }
   if (verdict.holds()) {
     // A mesh of a domain in space counts tetrahedra, even if it has none and all its points are in
     // a plane.
     const int dimension = domain != nullptr ? static_cast<int>(domain->complex.ambient_dimension())
                           : verdict.complex ? verdict.complex->dimension
-                                            : verdict.dimension;
+                          : verdict.surface ? 2
+                          : verdict.claim() == Claim::kConvexHull ? verdict.dimension - 1
+                                                                  : verdict.dimension;
     std::string line = fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
                                    on_one_line(mesh_name), counted(verdict.points, "point"),
                                    counted_simplices(verdict.simplices, dimension));
     if (verdict.complex) line += complex_text(*verdict.complex);
+    if (verdict.surface) line += surface_text(*verdict.surface);
     if (verdict.dangling > 0) line += fmt::format(" {} dangling", verdict.dangling);
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
     if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
@@ -174,15 +203,16 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
     if (first) line += first_witness(verdict, mesh, domain, rule);
     first = false;
   }
+  if (verdict.voronoi && verdict.voronoi->site) line += voronoi_text(*verdict.voronoi, mesh);
   return line + moved_text(verdict);
 }
 
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain) {
   std::string text;
   for (const Violation& violation : verdict.violations()) describe(violation, mesh, domain, text);
-  std::size_t counted = 0;
-  for (const auto& [rule, tally] : verdict.tallies()) counted += tally.count;
-  const std::size_t dropped = counted - verdict.violations().size();
+  std::size_t all = 0;
+  for (const auto& [rule, tally] : verdict.tallies()) all += tally.count;
+  const std::size_t dropped = all - verdict.violations().size();
   if (dropped > 0) {
     text += fmt::format("… and {} more (--max-errors 0 shows all)\n", dropped);
   }
@@ -191,7 +221,18 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
     text += fmt::format("{}: worst relative margin {}\n", identifier(rule),
                         to_decimal(*tally.worst_margin));
   }
+  for (const Cause& cause : verdict.causes) text += cause_line(cause) + "\n";
   return text;
+}
+
+std::string cause_line(const Cause& cause) {
+  const std::string all = cause.of_listed ? fmt::format("{} above", counted(cause.of, "violation"))
+                                          : counted(cause.of, "violation");
+  const std::string explained = cause.explains < cause.of
+                                    ? fmt::format("{} of {}", cause.explains, all)
+                                : cause.of == 1 ? "the violation"
+                                                : "all " + all;
+  return fmt::format("cause: {} (explains {})", cause.words, explained);
 }
 
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
@@ -207,30 +248,57 @@ std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, cons
       mesh_name);
 }
 
+std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
+                                                 const std::string& mesh_name) {
+  const auto& tallies = verdict.tallies();
+  const bool may_be_meant = tallies.contains(Rule::kHullNotConvex) ||
+                            tallies.contains(Rule::kHullNotClosed) ||
+                            tallies.contains(Rule::kDegenerateSimplex);
+  const bool is_of_points =
+      verdict.claim() == Claim::kTriangulation || verdict.claim() == Claim::kDelaunay;
+  if (!may_be_meant || !is_of_points) return std::nullopt;
+  return mesh_name +
+         ": --claim complex tells whether the simplices fit together, whatever they fill";
+}
+
+std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
+                                              const std::string& mesh_name) {
+  if (!verdict.complex || !verdict.complex->are_counts_cut) return std::nullopt;
+  return mesh_name +
+         ": so many simplices overlap that no more were looked for: the counts are at "
+         "least those";
+}
+
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name) {
   if (!verdict.complex || verdict.complex->set_apart == 0) return std::nullopt;
   const ComplexFacts& facts = *verdict.complex;
+  std::string broken;
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    if (stage(rule) != Stage::kFacets) continue;
+    broken += fmt::format("{}{} {}", broken.empty() ? ": " : ", ", identifier(rule), tally.count);
+  }
   return fmt::format(
-      "{}: {} set apart: flat, listed twice, or no simplices; the others {} a complex", mesh_name,
+      "{}: {} set apart: flat, listed twice, or no simplices; the others {} a complex{}", mesh_name,
       counted_simplices(facts.set_apart, facts.dimension) + (facts.set_apart == 1 ? " is" : " are"),
-      facts.is_complex ? "form" : "do not form");
+      facts.is_complex ? "form" : "do not form", facts.is_complex ? "" : broken);
 }
 
-std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count) {
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count,
+                                  std::string_view to_merge) {
   return fmt::format(
-      "expected distinct points, found points {} and {} equal{}", kept, again,
-      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "");
+      "expected distinct points, found points {} and {} equal{}{}", kept, again,
+      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "",
+      to_merge.empty() ? "" : fmt::format("; to take equal points for one, {}", to_merge));
 }
 
-std::string note_of_merged_points(const std::vector<Duplicate>& merged) {
+std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex first_index) {
   const auto& [kept, again] = merged.front();
-  return fmt::format("points {} and {} are equal and count as one{}", kept, again,
-                     merged.size() > 1 ? fmt::format("; in all, {} repeat an earlier one",
-                                                     counted(merged.size(), "point"))
-                                       : "");
+  return fmt::format(
+      "points {} and {} are equal and count as one{}", kept + first_index, again + first_index,
+      merged.size() > 1
+          ? fmt::format("; in all, {} repeat an earlier one", counted(merged.size(), "point"))
+          : "");
 }
-
-// ---- Words that texts and JSON share ----
 
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
   if (count == 1) return fmt::format("1 {}", one);
@@ -285,8 +353,6 @@ NamedCells named_cells(const Witness& witness, const Mesh& mesh) {
 }
 
 std::string name(check::By by) { return by == check::By::kLemma ? "lemma" : "definition"; }
-
-// ---- Rounded up ----
 
 std::string square_root_rounded_up(const Rational& squared) {
   if (sign(squared) == 0) return "0";

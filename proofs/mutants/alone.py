@@ -17,7 +17,8 @@ order 2
 2
 end
 """
-# Two triangles in space with a common edge, one of them upright; a point beside each makes it a tetrahedron.
+# Two triangles in space with a common edge, one of them upright; a point beside each makes it a
+# tetrahedron.
 HINGE = """circumspect-certificate 1 complex 3
 scale 1 2
 points 4

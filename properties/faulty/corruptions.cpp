@@ -11,6 +11,7 @@
 #include "properties/faulty/plain_predicates.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 
 namespace circumspect::faulty {
@@ -113,7 +114,8 @@ void add_flat_simplex(const PointSet& points, Simplices& simplices) {
 }
 
 // Behind a facet of the hull goes a second simplex, on the same side as the first, with an apex
-// outside the ball of the first: a test that looks from one side only finds the facet locally Delaunay.
+// outside the ball of the first: a test that looks from one side only finds the facet locally
+// Delaunay.
 void fold_at_the_hull(const PointSet& points, Simplices& simplices) {
   Simplices folded;
   const auto apex_for = [&](const FacetUse& use) {

@@ -7,10 +7,10 @@
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 
 namespace circumspect::faulty {
-
 namespace {
 
 Fault inserting_with(std::string name, std::string about, const Mistakes& mistakes,
@@ -194,7 +194,6 @@ std::vector<Fault> insertion_faults() {
   };
 }
 
-// ---- Flip faults ----
 // Lawson's algorithm, from a lexicographic triangulation, given up too early. Book: Section 4.4.
 
 namespace {
@@ -234,8 +233,8 @@ std::vector<Simplex> ascending(const SimplexArray& rows) {
   return simplices;
 }
 
-// All points are inserted first, each by splitting the simplices that contain it or by joining it to
-// the hull facets that it sees. Then come the flips.
+// All points are inserted first, each by splitting the simplices that contain it or by joining it
+// to the hull facets that it sees. Then come the flips.
 SimplexArray inserted_in_bulk(const PointArray& points) {
   const PointSet set = exact_points(points);
   if (set.dimension() < 2) return right_answer(points);

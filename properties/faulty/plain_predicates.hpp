@@ -10,14 +10,14 @@
 
 namespace circumspect::faulty {
 
-// ---- Point arrays ----
-// From the doubles that a program takes to the exact points that judge it, and right answers to begin
-// with.
+// From the doubles that a program takes to the exact points that judge it, and right answers to
+// begin with.
 
 // The exact points, weights included. Requires: no duplicates.
 PointSet exact_points(const PointArray& points);
 
-// The canonical (weighted) Delaunay triangulation. Of points that coincide, the first stands for all.
+// The canonical (weighted) Delaunay triangulation. Of points that coincide, the first stands for
+// all.
 SimplexArray right_answer(const PointArray& points);
 
 // The same points without, or with only, some of them.
@@ -32,7 +32,6 @@ std::vector<Vertex> every_index(const PointArray& points);
 // The least and the largest coordinate on an axis. Requires: points.size() > 0.
 std::pair<double, double> extent(const PointArray& points, std::size_t axis);
 
-// ---- Plain predicates ----
 // Orientation and in-ball tests as people write them, over the number type of one's choice and with
 // the mistake of one's choice.
 

@@ -32,14 +32,13 @@ Verdict verdict_on(Claim claim, Mesh& mesh, const JudgeOptions& options) {
   const unsigned threads =
       options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   if (options.merge_equal_points) {
-    return check::judge_merged(claim, mesh, nullptr, {.threads = threads});
+    return check::judge(claim, check::Merging{mesh}, nullptr, {.threads = threads});
   }
   auto verdict = check::judge(claim, mesh, nullptr, {.threads = threads});
   if (verdict) return *std::move(verdict);
   const auto& repeated = verdict.error().repeated;
   throw std::invalid_argument(report::fault_of_equal_points(
-                                  repeated.front().kept, repeated.front().again, repeated.size()) +
-                              "; to take equal points for one, set merge_equal_points");
+      repeated.front().kept, repeated.front().again, repeated.size(), "set merge_equal_points"));
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct SimplexFacts {
   std::vector<FacetId> ties = {};
   std::vector<FacetId> not_canonical = {};
   bool oriented = true;  // all simplices alike
+  bool uses_all_points = true;
   // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2
   // and 3 of docs/theory/points.md.)
   bool fills_hull = false;
@@ -39,6 +40,9 @@ struct Wanted {
   bool balls = false;
   bool hull = false;
   bool boundary_balls = false;
+  // May a facet of the boundary, or of a pair of simplices, be in others as well? Such facets are
+  // found more quickly, and docs/theory/complex.md shows that they do for complexes.
+  bool pairs_suffice = false;
 };
 
 // Undecided if the simplices are not as above; then nothing is known. Given neighbours and weights

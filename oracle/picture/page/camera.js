@@ -5,7 +5,8 @@ import { add, cross, dot, length, sub, times } from './vectors.js';
 export class Camera {
   // At first it shows the witness, and a ball that is not much larger.
   constructor({ points, picture }) {
-    const core = points.slice(0, picture.core);
+    const isWhole = picture.mark === 'whole';
+    const core = isWhole ? points : points.slice(0, picture.core);
     const { ball } = picture;
     const isSmall = ball?.centre && ball.radius < 2.5;
     this.isFlat = picture.dimension < 3;
@@ -14,7 +15,8 @@ export class Camera {
     // Half the height of what is seen when nothing is magnified. A point alone is seen among all the others.
     this.size = 1.15 * Math.max(0.2, isSmall ? ball.radius : 0, reach(core) || reach(points));
     this.reset();
-    this.lookAt(core, picture.face ? points.filter((_, i) => picture.face.includes(i)) : []);
+    if (isWhole) this.size *= 1.1 * Math.max(...points.map((p) => this.project(p)).map(([x, y]) => Math.max(Math.abs(y), Math.abs(x) / 1.5)));
+    else this.lookAt(core, picture.face ? points.filter((_, i) => picture.face.includes(i)) : []);
   }
 
   reset() {

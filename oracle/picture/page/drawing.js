@@ -19,6 +19,7 @@ export class Drawing {
     this.stretch = stretch;
     this.items = [];
     this.legend = new Map();
+    this.outlined = new Set();
     this.caption = '';
     this.points = picture.points.map((p, i) =>
       stretch === 1 ? p : add(p, times(picture.thin.normal, (stretch - 1) * picture.thin.heights[i])));
@@ -123,11 +124,16 @@ export class Drawing {
     }
   }
 
+  // Its edges are drawn once, unless the picture is exploded, however many neighbours have them in common.
   simplexOutline(simplex, role, words) {
     const corners = this.all(simplex);
     const cell = { centre: middle(corners) };
     if (this.picture.dimension === 2) this.polygon(corners, role, words, { cell });
-    for (const [a, b] of edges(corners)) this.line(a, b, role, words, { cell });
+    for (const [a, b] of edges(simplex)) {
+      const key = a < b ? `${a} ${b}` : `${b} ${a}`;
+      this.line(this.at(a), this.at(b), role, words, { cell, isDrawn: this.outlined.has(key) });
+      this.outlined.add(key);
+    }
   }
 
   facet(facet, role, words) {
@@ -275,8 +281,16 @@ function nearest(drawing) {
   drawing.line(drawing.at(cell.vertex), drawing.at(vertex), 'nearest', undefined, { dashed: true });
 }
 
+// The whole mesh from outside, and where on it violations are.
+function whole(drawing) {
+  const { picture } = drawing;
+  for (const triangle of picture.skin) drawing.polygon(drawing.all(triangle), 'skin', 'the mesh');
+  for (let i = 0; i < picture.core; ++i) drawing.dot(i, 'place', 'where violations are, by their numbers');
+}
+
 // What is drawn beside the cells of a witness, by the mark of the rule (Mark in oracle/model/rule.hpp).
 const MARKS = {
+  whole,
   'no-ball': noBall,
   order: arrows,
   'common-part': overlap,

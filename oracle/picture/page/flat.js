@@ -1,6 +1,6 @@
 // Drawings as SVG: of meshes of the plane, where there is no WebGL, on paper, and as images for pages. Items are
 // drawn from the farthest to the nearest.
-import { add, cross, dot, frame, middle, times } from './vectors.js';
+import { add, cross, dot, frame, length, middle, sub, times } from './vectors.js';
 
 export const WIDTH = 720;
 export const HEIGHT = 480;
@@ -26,6 +26,8 @@ export const STYLE = {
   nearest: { line: 2, dot: 6, front: true },
   wall: { line: 1, fill: 0.05 },
   other: { line: 1.5 },
+  skin: { line: 0.5, fill: 0.3 },
+  place: { dot: 8, front: true },
   near: { line: 0.7, fill: 0.06 },
   boundary: { line: 0.7, fill: 0.05 },
   cut: { line: 1.5, front: true },
@@ -129,6 +131,15 @@ export function placedLabels(dots) {
 
 const onPage = ([x, y, z]) => [WIDTH / 2 + (x * HEIGHT) / 2, HEIGHT / 2 - (y * HEIGHT) / 2, z];
 
+// How dark a triangle of the skin is: the darker, the less it faces the light, which comes from above the eye.
+function shade([a, b, c], camera) {
+  const normal = cross(sub(b, a), sub(c, a));
+  const [right, up, eye] = camera.axes();
+  const light = add(eye, add(times(up, 0.8), times(right, -0.5)));
+  const towards = Math.sign(dot(normal, eye)) * dot(normal, light) / (length(normal) * length(light) || 1);
+  return (0.1 + 0.45 * (1 - Math.max(0, towards))).toFixed(2);
+}
+
 // The elements inside <svg viewBox="0 0 720 480">. `cut`: what is nearer to the eye than this is left out.
 export function svgOf(drawing, camera, { explode = 0, cut = Infinity } = {}) {
   const see = (p) => onPage(camera.project(p));
@@ -139,12 +150,17 @@ export function svgOf(drawing, camera, { explode = 0, cut = Infinity } = {}) {
     const at = moved(item, explode);
     const depth = camera.project(middle(at))[2];
     if (depth > cut && item.role !== 'ball') continue;
+    if (item.isDrawn && explode === 0) continue;
     const dash = item.dashed || style.dashed ? ' stroke-dasharray="6 4"' : '';
     let text = '';
     if (item.kind === 'polygon') {
       const corners = at.map((p) => see(p).slice(0, 2).map(round).join(',')).join(' ');
       const outlined = ['hole', 'common'].includes(item.role) ? '' : ' stroke="none"';
-      text = `<polygon class="${item.role}" points="${corners}" fill-opacity="${style.fill}"${outlined}/>` +
+      const isSolid = item.role === 'skin' && !camera.isFlat;
+      const fill = isSolid ? shade(at, camera) : style.fill;
+      text = (isSolid ? `<polygon class="paper" points="${corners}"/>` : '') +
+        `<polygon class="${item.role}" points="${corners}" fill-opacity="${fill}"` +
+        `${item.role === 'skin' ? ` stroke-width="${style.line}"` : outlined}/>` +
         (item.hatch ? `<polygon points="${corners}" fill="url(#hatch-${item.role})" stroke="none"/>` : '');
     } else if (item.kind === 'line') {
       const [a, b] = at.map(see);

@@ -41,8 +41,8 @@ const rounded = (text) => {
   const value = Number(a) / Number(b);
   return Number.isFinite(value) ? String(value) : '';
 };
-const point = (coordinates) => [coordinates.join(', '),
-  coordinates.some((x) => x.includes('/') || x.length > 17) ? coordinates.map(rounded).join(', ') : ''];
+const point = (coordinates) => [coordinates.join(',\n'),
+  coordinates.some((x) => x.includes('/') || x.length > 17) ? coordinates.map(rounded).join(',\n') : ''];
 
 // What the witness consists of, exactly and rounded.
 function exactTable(v, title) {
@@ -118,10 +118,34 @@ function card(v, picture, id, title) {
     if (picture.left_out) parts.push(element('p', { class: 'note' }, picture.left_out));
     parts.push(loupe(v));
   }
-  parts.push(element('details', { open: '' }, element('summary', {}, 'Exact values'), exactTable(v, title)),
+  parts.push(element('details', {}, element('summary', {}, 'Exact values'), exactTable(v, title)),
     copyButton('Copy as JSON', JSON.stringify(v, null, 2)));
   return element('article', { id, class: 'card', tabindex: '-1', 'aria-label': name }, heading,
     ...parts.filter(Boolean));
+}
+
+// Numbers of violations, with a dash for those that follow each other, and no more than have room: "3, 5–9, 12 …".
+function runs(numbers) {
+  const parts = [];
+  for (const n of numbers) {
+    const last = parts.at(-1);
+    if (last?.[1] === n - 1) last[1] = n;
+    else parts.push([n, n]);
+  }
+  return parts.slice(0, 3).map(([from, to]) => (from === to ? `${from}` : `${from}–${to}`)).join(', ') +
+    (parts.length > 3 ? ' …' : '');
+}
+
+// The mesh as a whole, with a dot where violations are. `first`: the number of the first.
+function whole(overview, first, mesh) {
+  const names = overview.marks.map((violations) => runs(violations.map((i) => first + i)));
+  const caption = `The whole mesh${overview.coarser ? ', its surface drawn with fewer triangles' : ''}.` +
+    (names.length ? ' The dots are where violations are, by their numbers.' : '');
+  const picture = { ...overview, names, near: [], simplices: [], vertices: [], boundary: [],
+    walls: { segments: [], triangles: [] } };
+  const view = new View({ simplices: [], vertices: [], caption }, picture, stage, `${mesh}: the whole mesh`);
+  views.push(view);
+  return element('article', { class: 'card whole' }, element('p', { class: 'caption' }, caption), view.node);
 }
 
 function facts(report) {
@@ -180,11 +204,16 @@ function section(result, first) {
   if (!heading) return element('section', { 'aria-label': result.finding.signature }, ...finding(result.finding));
   const parts = [...(result.finding ? finding(result.finding) : []), element('h2', {}, heading),
     element('p', { class: `verdict ${report?.verdict ?? result.verdict}` }, result.line)];
+  for (const cause of report?.causes ?? []) {
+    parts.push(element('p', { class: 'cause' }, element('strong', {}, 'Cause: '),
+      `${cause.text} (explains ${cause.explains} of ${cause.of}${cause.of_listed ? ' listed here' : ''})`));
+  }
   for (const note of result.notes ?? []) parts.push(element('p', { class: 'note' }, note));
   if (result.steps?.left_out) parts.push(element('p', { class: 'note' }, result.steps.left_out));
   if (result.cards_note) parts.push(element('p', { class: 'note' }, result.cards_note));
   if (result.facts) parts.push(told(result.facts, heading));
   if (result.steps) parts.push(player(result.steps, stage, views));
+  if (result.overview) parts.push(whole(result.overview, first, heading));
   cardsOf(result).forEach((v, i) => parts.push(
     card(v, result.pictures[i], `violation-${first + i}`, `${result.noun ?? 'Violation'} ${first + i}`)));
   if (report) parts.push(element('details', {}, element('summary', {}, 'Facts'), facts(report)));
@@ -202,7 +231,7 @@ function rules() {
 }
 
 function step(by) {
-  const cards = [...document.querySelectorAll('.card')];
+  const cards = [...document.querySelectorAll('.card[id]')];
   if (cards.length === 0) return;
   const at = cards.indexOf(document.activeElement?.closest('.card'));
   const next = cards[at < 0 ? (by > 0 ? 0 : cards.length - 1) : (at + by + cards.length) % cards.length];

@@ -1,5 +1,5 @@
 // Opens pages in Chromium as their readers do, and looks at what happens.
-//   node page_test.mjs COMMAND FOLDER           five pages, and what can be done with them
+//   node page_test.mjs COMMAND FOLDER           six pages, and what can be done with them
 //   node page_test.mjs COMMAND FOLDER --all     a page for every mesh of the corpus that breaks a rule
 // COMMAND is circumspect; pages and screenshots are left in FOLDER. The modules are in the folder that NODE_PATH names.
 import assert from 'node:assert/strict';
@@ -156,6 +156,31 @@ async function ofTwoMeshes(browser) {
   await opened.done();
 }
 
+// A mesh of more simplices than the picture of a witness shows: first all of it, with a dot where the violations are.
+async function ofTheWhole(browser) {
+  const stem = join(folder, 'whole');
+  const points = Array.from({ length: 121 }, (_, i) => `${i} ${i % 11} ${Math.floor(i / 11)}`);
+  const triangles = Array.from({ length: 100 }, (_, i) => Math.floor(i / 10) * 11 + (i % 10))
+    .flatMap((corner) => [[corner, corner + 1, corner + 12], [corner, corner + 12, corner + 11]]);
+  triangles.splice(110, 1);
+  writeFileSync(`${stem}.node`, `121 2\n${points.join('\n')}\n`);
+  writeFileSync(`${stem}.ele`, `199 3\n${triangles.map((corners, i) => `${i} ${corners.join(' ')}`).join('\n')}\n`);
+  const opened = await Opened.at(browser, written('whole', [`${stem}.ele`]));
+  const { page } = opened;
+  const card = page.locator('.card.whole');
+  assert.equal(await card.locator('polygon.skin').count(), 199);
+  // The three edges of the hole, which are in the upper half.
+  const marks = await card.locator('text.place').allTextContents();
+  assert.equal(marks.flatMap((numbers) => numbers.split(/, |–/)).sort()[0], '1');
+  const [box, dot] = [await card.locator('.view').boundingBox(), await card.locator('circle.place').first().boundingBox()];
+  assert.ok(dot.y < box.y + box.height / 2, 'the dot is where the hole is');
+  await page.keyboard.press('n');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'violation-1');
+  await opened.accessible();
+  await opened.shot('whole');
+  await opened.done();
+}
+
 // A domain that is none: its polygons are filled, and lie in the place of the picture.
 async function ofADomain(browser) {
   const opened = await Opened.at(browser, written('inspect', ['corpus/domains/invalid/plc.polygons-cross.poly'], 'inspect'));
@@ -274,6 +299,7 @@ try {
   await withAnIntruder(browser);
   await inThePlane(browser);
   await ofTwoMeshes(browser);
+  await ofTheWhole(browser);
   await ofADomain(browser);
   await ofSteps(browser);
   if (mode === '--all') {

@@ -9,7 +9,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { HEIGHT, STYLE, WIDTH, isLarge, moved, patch, placedLabels, rings } from './flat.js';
-import { sub } from './vectors.js';
+import { hatching, sub } from './vectors.js';
 
 const vector = (p) => new Vector3(...p);
 
@@ -39,6 +39,8 @@ export class Solid {
     const group = new Group();
     for (const item of drawing.items) {
       const at = moved(item, explode);
+      if (item.isDrawn && explode === 0) continue;
+      if (item.kind === 'polygon' && item.hatch) this.gather(lines, `${item.role} hatch`, hatching(at).flat());
       if (item.kind === 'polygon') this.gather(faces, item.role, at.slice(2).flatMap((p, i) => [at[0], at[i + 1], p]));
       else if (item.kind === 'line') this.gather(lines, `${item.role} ${item.dashed ? 'dashed' : ''}`, at);
       else if (item.kind === 'dot') group.add(this.dot(item, at[0], colour));
@@ -62,19 +64,21 @@ export class Solid {
   faces(role, at, colour) {
     const geometry = this.geometry(at);
     geometry.computeVertexNormals();
+    const isSolid = role === 'skin';
     const faces = new Mesh(geometry, new MeshPhongMaterial({
-      color: colour(role), side: DoubleSide, transparent: true, opacity: STYLE[role].fill * 1.4,
-      depthWrite: false, depthTest: !STYLE[role].front, clippingPlanes: [this.cut] }));
+      color: colour(role), side: DoubleSide, transparent: !isSolid, opacity: isSolid ? 1 : STYLE[role].fill * 1.4,
+      flatShading: isSolid, depthWrite: isSolid, depthTest: !STYLE[role].front, clippingPlanes: [this.cut] }));
     faces.renderOrder = STYLE[role].front ? 2 : 1;
     return faces;
   }
 
   lines(key, at, colour) {
-    const [role, dashed] = key.split(' ');
+    const [role, kind] = key.split(' ');
+    const dashed = kind === 'dashed';
     const material = new LineMaterial({
-      color: colour(role), linewidth: STYLE[role].line, clippingPlanes: [this.cut], transparent: true,
-      opacity: ['near', 'boundary', 'wall'].includes(role) ? 0.5 : 1, depthTest: !STYLE[role].front,
-      dashed: Boolean(dashed), dashSize: 0.05, gapSize: 0.035 });
+      color: colour(role), linewidth: kind === 'hatch' ? 1.5 : STYLE[role].line, clippingPlanes: [this.cut],
+      transparent: true, opacity: { near: 0.3, boundary: 0.3, wall: 0.5 }[role] ?? 1, depthTest: !STYLE[role].front,
+      dashed, dashSize: 0.05, gapSize: 0.035 });
     const lines = new LineSegments2(new LineSegmentsGeometry().setPositions(at.flat()), material);
     if (dashed) lines.computeLineDistances();
     lines.renderOrder = 3;
@@ -83,7 +87,8 @@ export class Solid {
 
   dot(item, at, colour) {
     const dot = new Mesh(new SphereGeometry(1, 20, 14),
-      new MeshPhongMaterial({ color: colour(item.role), clippingPlanes: [this.cut] }));
+      new MeshPhongMaterial({ color: colour(item.role), clippingPlanes: [this.cut], depthTest: item.role !== 'place' }));
+    if (item.role === 'place') dot.renderOrder = 4;
     dot.position.copy(vector(at));
     dot.userData.size = STYLE[item.role].dot;
     return dot;

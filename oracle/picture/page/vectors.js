@@ -113,6 +113,23 @@ export function section(corners, n, d) {
   return cuts.sort((p, q) => angle(p) - angle(q));
 }
 
+// Strokes across a convex polygon, as pairs of ends: all polygons of one plane have theirs in the same lines.
+export function hatching(polygon, apart = 0.06) {
+  const n = unit(cross(sub(polygon[1], polygon[0]), sub(polygon[2], polygon[0])));
+  const [u, v] = frame(n.find((x) => Math.abs(x) > 1e-9) < 0 ? times(n, -1) : n);
+  const across = unit(add(u, v));
+  const heights = polygon.map((p) => dot(across, p));
+  const strokes = [];
+  for (let i = Math.ceil(Math.min(...heights) / apart); i * apart < Math.max(...heights) && strokes.length < 200; ++i) {
+    const ends = polygon.flatMap((p, k) => {
+      const [q, a, b] = [polygon[(k + 1) % polygon.length], heights[k] - i * apart, heights[(k + 1) % polygon.length] - i * apart];
+      return a * b < 0 ? [between(p, q, a / (a - b))] : [];
+    });
+    if (ends.length === 2) strokes.push(ends);
+  }
+  return strokes;
+}
+
 // Does a segment pass through a triangle, properly?
 export function pierces(a, b, triangle) {
   const n = cross(sub(triangle[1], triangle[0]), sub(triangle[2], triangle[0]));
