@@ -22,6 +22,7 @@
 #include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
@@ -128,7 +129,10 @@ Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const D
   const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
   auto verdict =
       check::judge_within(claim, asked.exact, domain, distance * distance, options, asked.known());
-  if (verdict) return std::move(*verdict);
+  if (verdict) {
+    check::judge_quality(mesh, &domain, distance * distance, options, *verdict);
+    return std::move(*verdict);
+  }
   const auto& [reason, is_input_fault] = verdict.error();
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
 }
@@ -175,6 +179,28 @@ std::vector<Cause> causes_of(const Verdict& verdict, const Mesh& mesh, const Dom
   return check::causes(verdict, mesh, again).found;
 }
 
+QualityDemands quality_of(const circumspect_options& asked) {
+  QualityDemands demands;
+  if (asked.require_count < 0) {
+    refuse_call(fmt::format("expected a number of requirements, found {}", asked.require_count));
+  }
+  for (std::int64_t i = 0; i < asked.require_count; ++i) {
+    const char* const text = required(required(asked.require, "requirements")[i], "a requirement");
+    auto requirement = read_requirement(text);
+    if (!requirement) refuse_call(on_one_line(requirement.error()));
+    demands.requirements.push_back(std::move(*requirement));
+  }
+  if (asked.except_sharp != nullptr) {
+    const auto degrees = read_degrees(asked.except_sharp);
+    if (!degrees) refuse_call(on_one_line(degrees.error()));
+    if (demands.empty()) refuse_call("expected requirements beside `except_sharp`, found none");
+    demands.except_sharp = *degrees;
+  }
+  const std::string fault = contradiction(demands.requirements);
+  if (!fault.empty()) refuse_call(on_one_line(fault));
+  return demands;
+}
+
 int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
 
 }  // namespace
@@ -185,7 +211,8 @@ circumspect_options asked_of(const circumspect_options* options) {
   return of_any_version<circumspect_options>(
       *options, defaults,
       {offsetof(circumspect_options, with_pictures),
-       offsetof(circumspect_options, merge_equal_points), offsetof(circumspect_options, demands)},
+       offsetof(circumspect_options, merge_equal_points), offsetof(circumspect_options, demands),
+       offsetof(circumspect_options, require_count)},
       "CIRCUMSPECT_OPTIONS");
 }
 
@@ -199,6 +226,7 @@ check::Options options_of(const circumspect_options& asked) {
   return {.by = asked.by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
           .oriented = asked.oriented != 0,
           .complex = {.oriented = asked.oriented != 0 ? Orientations::kSame : Orientations::kAny},
+          .quality = quality_of(asked),
           .max_violations = static_cast<std::size_t>(asked.max_violations),
           .threads = static_cast<unsigned>(asked.threads)};
 }
@@ -283,6 +311,8 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
                         about->complex.ambient_dimension(), judged.dimension()));
       }
     }
+    const std::string unmeasured = check::fault_of_quality(judged, own.quality);
+    if (!unmeasured.empty()) c::refuse_call(unmeasured);
     const Domain* const filled = about ? &*about : nullptr;
     std::vector<std::string> notes;
     Verdict found = c::judged(known, judged, filled, asked, own, notes);

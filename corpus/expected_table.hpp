@@ -51,6 +51,9 @@ inline Row row_of(const std::string& line) {
     if (word == "--closed") row.options.complex.closed = true;
     if (word == "hanging-vertex") row.options.complex.allow_hanging = true;
     if (word == "--allow-unused") row.options.complex.allow_unused = true;
+    if (const auto required = read_requirement(word)) {
+      row.options.quality.requirements.push_back(*required);
+    }
     if (word == "--all-boundary-points") row.options.hull.all_boundary_points = true;
     if (word == "--only-extreme") row.options.hull.only_extreme = true;
     if (word == "--neighbors") row.with_neighbors = true;

@@ -223,8 +223,12 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
                 const std::optional<py::tuple>& domain, std::int64_t threads,
                 std::int64_t max_violations, bool by_definition, bool oriented, bool merge,
                 bool allow_empty, const std::optional<std::string>& within,
-                const std::string& demands, const std::string& name, double limit, bool brief) {
+                const std::string& demands, const std::string& name, double limit, bool brief,
+                const std::vector<std::string>& requirements,
+                const std::optional<std::string>& except_sharp) {
   const MeshArgument argument(mesh);
+  std::vector<const char*> required;
+  for (const std::string& text : requirements) required.push_back(text.c_str());
   std::optional<DomainArgument> about;
   if (domain) about.emplace(*domain);
   circumspect_options options = CIRCUMSPECT_OPTIONS;
@@ -239,6 +243,9 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
   options.mesh_name = name.c_str();
   options.without_json = brief ? 1 : 0;
   options.with_pictures = brief ? 0 : 1;
+  options.require_count = static_cast<std::int64_t>(required.size());
+  options.require = required.data();
+  options.except_sharp = except_sharp ? except_sharp->c_str() : nullptr;
   std::shared_ptr<circumspect_verdict> own;
   const auto call = [&] {
     circumspect_verdict* made = nullptr;
@@ -392,7 +399,11 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception<NoTriangulation>(module, "NoTriangulation", PyExc_LookupError);
   py::register_exception<Undecided>(module, "Undecided", PyExc_RuntimeError);
   module.attr("version") = circumspect_version();
-  module.def("check", &check);
+  module.def("check", &check, py::arg("claim"), py::arg("mesh"), py::arg("domain"),
+             py::arg("threads"), py::arg("max_violations"), py::arg("by_definition"),
+             py::arg("oriented"), py::arg("merge"), py::arg("allow_empty"), py::arg("within"),
+             py::arg("demands"), py::arg("name"), py::arg("limit"), py::arg("brief"),
+             py::arg("require") = std::vector<std::string>(), py::arg("except_sharp") = py::none());
   module.def("check_voronoi", &check_voronoi);
   module.def("delaunay", &delaunay);
   module.def("constrained_delaunay", &constrained_delaunay);

@@ -37,7 +37,8 @@ struct CertifyOptions {
   InputOptions input;
   OutputOptions output;
   check::By by = check::By::kLemma;
-  std::uint64_t threads = 0;  // 0: as many as the machine has
+  std::uint64_t threads = 0;          // 0: as many as the machine has
+  std::vector<std::string> required;  // refused
 };
 
 void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& mesh,
@@ -132,7 +133,10 @@ std::string usage_fault(const CertifyOptions& options) {
   const bool is_unproved =
       options.asked && is_about_a_list(*options.asked) && *options.asked != Claim::kComplex;
   return first_fault(
-      {{is_unproved, fmt::format("expected a claim of which something is proved, found {}",
+      {{!options.required.empty(),
+        "expected no --require of a certificate, found it: nothing is proved of the shape of "
+        "simplices; circumspect check judges it"},
+       {is_unproved, fmt::format("expected a claim of which something is proved, found {}",
                                  is_unproved ? name(*options.asked) : "")},
        domain_options_fault(options.said, options.asked, options.domain.has_value()),
        certificate_fault(options.said)});
@@ -202,6 +206,8 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
                           "The file with the points of the mesh"},
                          {"--by", "lemma|definition", into(options->by, one_of(manners)),
                           "Judge by the lemmas (default) or, slowly, by the definitions"}});
+  command->add_option("--require", options->required, "Refused: nothing is proved of it")
+      ->group("");
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

@@ -7,6 +7,7 @@
 #include "command/check/certificate_output.hpp"
 #include "command/check/check_voronoi.hpp"
 #include "command/check/judge_in_parts.hpp"
+#include "command/check/quality_options.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/option_rows.hpp"
@@ -26,6 +27,7 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
            {options.domain.has_value(), "--domain"},
            {options.check.by == check::By::kDefinition, "--by definition"},
            {options.check.oriented, "--oriented"},
+           {!options.check.quality.empty(), "--require"},
            {options.input.neighbors, "--neighbors"},
            {!options.input.kept_labels.empty(), "--keep-label"},
            {options.input.allow_empty, "--allow-empty"},
@@ -68,6 +70,7 @@ std::string usage_fault(CheckOptions& options) {
   const Asked certificate{options.certificate.has_value(), "--certificate"};
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
+  const Asked demanded{!options.check.quality.empty(), "--require"};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
@@ -81,6 +84,9 @@ std::string usage_fault(CheckOptions& options) {
       dependence({options.box.has_value(), "--box"}, voronoi),
       dependence(voronoi, {options.input.points.has_value(), "--points FILE"},
                  "it has the sites, and the output of qvoronoi o Fv the cells"),
+      quality_fault(options.check.quality),
+      contradiction(demanded, voronoi),
+      contradiction(demanded, certificate, "nothing is proved of it"),
       contradiction(within, certificate, "nothing is proved of it"),
       certificate.is_given ? certificate_fault(options.said) : "",
       domain_options_fault(options.said, options.claim, domain.is_given),
@@ -128,6 +134,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
                          "Also write a certificate or a refutation, as circumspect certify does"}});
   add_picture_options(command, options.picture);
   add_complex_options(command, options.complex);
+  add_quality_options(command, options.check.quality);
   HullDemands& hull = options.check.hull;
   add_options(command,
               {{"--all-boundary-points", "", flag(hull.all_boundary_points),

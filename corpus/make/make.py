@@ -15,13 +15,15 @@ import domains
 import files
 import hulls
 import mesh_alone
+import quality
 import reject
 import surfaces
 import tables
 import voronoi
 from inputs import inputs
 
-entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries(), *hulls.entries(), *surfaces.entries()]
+entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries(), *hulls.entries(), *surfaces.entries(),
+           *quality.entries()]
 for entry in entries:
     files.write(entry)
 for name, _, points in inputs():

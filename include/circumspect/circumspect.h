@@ -188,10 +188,15 @@ typedef struct circumspect_options {
       merge_equal_points; /* not 0: equal points count as one, the first (if weights count, the heaviest) */
   int32_t allow_empty; /* not 0: a mesh without points and simplices is judged */
   const char* demands; /* NULL, or what is demanded beside the claim, as the command's options: "only-extreme" */
+  /* What is demanded of the shape of every simplex, each as "min-angle:20.7deg" or "radius-edge <= sqrt(2)"; and
+   * NULL, or an angle as "60deg": simplices that touch both sides of a sharper one are set aside. */
+  int64_t require_count;
+  const char* const* require;
+  const char* except_sharp;
 } circumspect_options;
 
 #define CIRCUMSPECT_OPTIONS \
-  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0, NULL }
+  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0, NULL, 0, NULL, NULL }
 
 typedef struct circumspect_verdict circumspect_verdict;
 

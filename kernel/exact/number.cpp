@@ -258,6 +258,33 @@ std::string square_root_to_decimal(const Rational& value) {
   }
 }
 
+namespace {
+
+// One end of an enclosure of a sum of roots, rounded to 53 bits.
+void rounded_sum_of_roots(Float& result, std::span<const Rational> values, mpfr_prec_t precision,
+                          mpfr_rnd_t toward) {
+  Float sum(precision), root(precision);
+  mpfr_set_zero(sum.get(), 1);
+  for (const Rational& value : values) {
+    mpfr_set_q(root.get(), value.get_mpq_t(), toward);
+    mpfr_sqrt(root.get(), root.get(), toward);
+    mpfr_add(sum.get(), sum.get(), root.get(), toward);
+  }
+  mpfr_set(result.get(), sum.get(), MPFR_RNDN);
+}
+
+}  // namespace
+
+std::string sum_of_roots_to_decimal(std::span<const Rational> values) {
+  constexpr mpfr_prec_t kMost = 4096;
+  for (mpfr_prec_t precision = 4 * kDoublePrecision;; precision *= 2) {
+    Float low(kDoublePrecision), high(kDoublePrecision);
+    rounded_sum_of_roots(low, values, precision, MPFR_RNDD);
+    rounded_sum_of_roots(high, values, precision, MPFR_RNDU);
+    if (mpfr_equal_p(low.get(), high.get()) != 0 || precision > kMost) return print(low);
+  }
+}
+
 std::string number_libraries() {
   return std::string("GMP ") + gmp_version + ", MPFR " + mpfr_get_version();
 }

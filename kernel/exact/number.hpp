@@ -106,6 +106,10 @@ std::string to_decimal(const Rational& value);
 // The same for the square root of a value. Requires: value >= 0.
 std::string square_root_to_decimal(const Rational& value);
 
+// The same for the sum of the square roots of many values; where 4096 bits do not tell which of two
+// doubles is nearer, either of them. Requires: all values >= 0.
+std::string sum_of_roots_to_decimal(std::span<const Rational> values);
+
 // The number libraries in use, with their versions: "GMP 6.2.1, MPFR 4.2.0".
 std::string number_libraries();
 

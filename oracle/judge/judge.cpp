@@ -14,6 +14,7 @@
 #include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/held_surface.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -122,10 +123,9 @@ OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view,
   return std::move(*verdict);
 }
 
-}  // namespace
-
-tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
-                                         const Options& options) {
+// The claim alone, without what is required of the shape of simplices.
+tl::expected<Verdict, EqualPoints> judged(Claim claim, const Mesh& mesh, const Domain* domain,
+                                          const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
   if (claim == Claim::kComplex) {
     const auto held = asked_of_rows<Verdict>(
@@ -157,6 +157,15 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   }
   Verdict verdict = judge_points(claim, exact(mesh), options);
   verdict.course.why_not_fast = why_not_fast;
+  return verdict;
+}
+
+}  // namespace
+
+tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
+                                         const Options& options) {
+  auto verdict = judged(claim, mesh, domain, options);
+  if (verdict) judge_quality(mesh, domain, 0, options, *verdict);
   return verdict;
 }
 

@@ -11,6 +11,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/claim.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/measure.hpp"
 #include "oracle/model/rule.hpp"
 
 namespace circumspect {
@@ -36,6 +37,13 @@ struct NearestVertex {
   Rational squared_distance;
 };
 
+// What was measured of a simplex that does not keep a requirement. Its text is in measure.hpp.
+struct Measured {
+  Measure measure;
+  Rational value;        // as measure.hpp holds it
+  std::string required;  // "min-angle >= 20.7deg"
+};
+
 // Simplices and vertices are named by indices from 0 (see Mesh::label for the user's own). Which
 // fields are set depends on the rule; report/ puts them into words.
 struct Witness {
@@ -54,6 +62,7 @@ struct Witness {
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
   std::optional<NearestVertex> nearest = {};  // to the missing cell of the domain
+  std::optional<Measured> measured = {};      // of the first simplex
 };
 
 // The answer to a claim. A fault of the input is not a verdict: it never reaches a checker.
@@ -139,6 +148,13 @@ struct ComplexFacts {
   std::size_t positive = 0, negative = 0;
 };
 
+// What was required of the shape of simplices beside the claim.
+struct QualityFacts {
+  std::vector<std::string> required;  // "min-angle:20.7deg"
+  std::string except_sharp = {};      // "60deg"; empty: none was set aside
+  std::size_t set_aside = 0;          // simplices at sharp angles
+};
+
 // For the claim `surface-delaunay`: how many edges are in two triangles, in one, and in more.
 struct SurfaceFacts {
   std::size_t interior_edges = 0, boundary_edges = 0, edges_of_many = 0;
@@ -199,6 +215,7 @@ class Verdict {
   std::optional<Rational> beyond = {};
 
   std::optional<ComplexFacts> complex = {};
+  std::optional<QualityFacts> quality = {};
   std::optional<SurfaceFacts> surface = {};
   std::optional<VoronoiFacts> voronoi = {};
 

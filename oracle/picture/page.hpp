@@ -32,6 +32,8 @@ struct Facts {
   std::vector<std::pair<report::Json, Witness>> cards = {};
   std::size_t cards_of = 0;  // how many there would be
   report::Json steps = {};   // of a construction: see steps.hpp
+  // Of a mesh: each a `measure`, its `bounds` as texts, and `counts`, one more than those.
+  report::Json histograms = {};
 };
 
 class Page {

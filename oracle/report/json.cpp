@@ -102,6 +102,20 @@ Json voronoi_facts(const VoronoiFacts& facts, const Mesh& sites) {
   return object;
 }
 
+Json quality_facts(const QualityFacts& facts) {
+  Json object = {{"required", facts.required}};
+  if (facts.except_sharp.empty()) return object;
+  object["except_sharp"] = facts.except_sharp;
+  object["set_aside"] = facts.set_aside;
+  return object;
+}
+
+Json measured(const Measured& measured) {
+  return {{"measure", entry(measured.measure).name},
+          {"text", measure_text(measured.measure, measured.value)},
+          {"required", measured.required}};
+}
+
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
   object.update(witness(broken.witness, mesh, domain));
@@ -123,6 +137,7 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
     values[rounded.name] = {{"decimal", rounded.decimal}};
   }
   object["values"] = values;
+  if (witness.measured) object["measured"] = measured(*witness.measured);
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
   for (const auto& [own, left] : named.merged) {
@@ -197,6 +212,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   }
   if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
   if (verdict.complex) object["complex"] = complex_facts(*verdict.complex);
+  if (verdict.quality) object["quality"] = quality_facts(*verdict.quality);
   if (verdict.voronoi) object["voronoi"] = voronoi_facts(*verdict.voronoi, mesh);
   if (verdict.surface) object["surface"] = surface_facts(*verdict.surface);
   if (verdict.unique) object["unique"] = *verdict.unique;

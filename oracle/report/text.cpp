@@ -93,6 +93,10 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   for (const NamedValue& value : witness.values) {
     fmt::format_to(to, "  {}: {}\n", value.name, value_text(value.value));
   }
+  if (witness.measured) {
+    const auto& [measure, value, required] = *witness.measured;
+    fmt::format_to(to, "  measured {}, required {}\n", measure_text(measure, value), required);
+  }
   for (const RoundedValue& value : witness.rounded) {
     fmt::format_to(to, "  {} ~ {}\n", value.name, value.decimal);
   }
@@ -144,6 +148,14 @@ std::string complex_text(const ComplexFacts& facts) {
   return text;
 }
 
+// " min-angle:20.7deg except-sharp:60deg 3 set-aside"
+std::string quality_text(const QualityFacts& facts) {
+  std::string text;
+  for (const std::string& required : facts.required) text += " " + required;
+  if (facts.except_sharp.empty()) return text;
+  return text + fmt::format(" except-sharp:{} {} set-aside", facts.except_sharp, facts.set_aside);
+}
+
 // " 12 interior-edges 3 boundary-edges", and of more than two triangles, if there are any
 std::string surface_text(const SurfaceFacts& facts) {
   std::string text = fmt::format(" {} {}", counted(facts.interior_edges, "interior-edge"),
@@ -193,6 +205,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
                           counted(steiner.count(), "steiner-point"), steiner.on_segments,
                           steiner.in_polygons, steiner.in_polyhedra);
     }
+    if (verdict.quality) line += quality_text(*verdict.quality);
     return line + moved_text(verdict);
   }
   std::string line =

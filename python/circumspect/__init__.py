@@ -20,7 +20,7 @@ from ._core import InputError, NoTriangulation, Undecided
 from .campaigns import Campaign, Finding, campaign, minimize
 from .domains import Domain, default_claim, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
-from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, seconds_of
+from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of
 from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
 
@@ -36,7 +36,8 @@ __all__ = [
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
           by: str = "lemma", oriented: bool = False, demands: Any = (), duplicates: str = "reject", allow_empty: bool = False,
-          limit: Optional[float] = None, copy: bool = True, name: str = "mesh") -> Verdict:
+          require: Any = (), except_sharp: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
+          name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
     points: (n, d) floats, integers, or objects (Fraction, int, Decimal); or, without `simplices`, a mesh of
@@ -62,6 +63,10 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         equal points count as one, the first (if weights count, the heaviest), and a note of the verdict says so.
     allow_empty: judge a mesh without points and simplices. Otherwise it is an InputError: usually a program made
         nothing.
+    require: what is demanded of the shape of every simplex, a text such as "min-angle:20.7deg" or "radius-edge <=
+        sqrt(2)", or a list of them; as `check --require` of the command.
+    except_sharp: an angle such as "60deg"; simplices that touch both sides of a sharper one of the domain (without
+        one, of the boundary of the mesh) are set aside.
     limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
     copy: False judges arrays of doubles and of 32 or 64 bit integers in C order in place. They must then not change
         before the call returns, or the verdict means nothing or the process crashes. Read-only arrays are never
@@ -75,6 +80,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     >>> check([[0, 0], [1, 0], [0, float("nan")]], [[0, 1, 2]])
     Traceback (most recent call last):
     ValueError: expected finite points, found nan at (2, 1)
+    >>> print(check([[0, 0], [4, 0], [0, 4]], [[0, 1, 2]], require=["min-angle:45deg", "max-angle:90deg"]))
+    holds: delaunay mesh 3 points 1 triangle unique canonical min-angle:45deg max-angle:90deg
     >>> check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2.0]])
     Traceback (most recent call last):
     TypeError: expected integers as simplices, found an array of float64
@@ -99,7 +106,7 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     distance = None if within is None else number_text(within, "a distance")
     return Verdict(claim, _core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
                                       by == "definition", oriented, merge, allow_empty, distance, words, name,
-                                      seconds_of(limit), False))
+                                      seconds_of(limit), False, requirements_of(require), except_sharp))
 
 
 def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), *, within: Any = 0,
@@ -226,14 +233,19 @@ def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Compa
     return Comparison(_core.compare(*meshes))
 
 
-def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weights: Any = None) -> str:
+def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weights: Any = None,
+            require: Any = ()) -> str:
     """What proves the verdict to circumspect-verified: the text of a certificate, or of a refutation.
 
-    Raises InputError if points are equal, or if there are neither points nor simplices.
+    Raises InputError if points are equal, or if there are neither points nor simplices; and ValueError if something is
+    required of the shape of simplices, of which nothing is proved.
 
     >>> certify([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).split()[0]
     'circumspect-certificate'
     """
+    if requirements_of(require):
+        raise ValueError(f"expected no require of a certificate, found {require!r}: nothing is proved of the shape of "
+                         "simplices; check judges it")
     return _core.certify(claim, guarded(mesh_of(points, simplices, None, weights)).parts())[1]
 
 
