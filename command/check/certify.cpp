@@ -21,6 +21,7 @@
 #include "command/subcommands.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -104,6 +105,11 @@ void certify(const CertifyOptions& options, Output& output) {
   const Claim claim = options.asked.value_or(
       about == nullptr ? Claim::kDelaunay : default_claim(loaded->mesh, *about));
   const check::Options judging = {.by = options.by, .threads = threads};
+  if (const std::string missing = check::fault_of_claim(claim, loaded->mesh, judging);
+      !missing.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, options.mesh + ": " + missing);
+    return;
+  }
   output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));
   const auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, judging, about);
   if (!verdict) {
