@@ -5,7 +5,7 @@
 namespace circumspect {
 namespace {
 
-constexpr mpfr_prec_t kFirstPrecision = 106, kOfDouble = 53;
+constexpr mpfr_prec_t kFirstSumPrecision = 106, kOfDouble = 53;
 
 mpfr_rnd_t against(mpfr_rnd_t toward) { return toward == MPFR_RNDD ? MPFR_RNDU : MPFR_RNDD; }
 
@@ -46,7 +46,7 @@ double excess(const Rational& alpha, const Rational& beta, mpfr_prec_t precision
 // doubles.
 std::string excess_in_degrees(const Rational& alpha, const Rational& beta) {
   if (alpha == -beta) return "0";
-  for (mpfr_prec_t precision = kFirstPrecision;; precision *= 2) {
+  for (mpfr_prec_t precision = kFirstSumPrecision;; precision *= 2) {
     const double low = excess(alpha, beta, precision, MPFR_RNDD);
     if (low == excess(alpha, beta, precision, MPFR_RNDU)) return to_decimal(exact_value(low));
   }
