@@ -22,6 +22,7 @@
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -105,6 +106,11 @@ void certify(const CertifyOptions& options, Output& output) {
   const Claim claim = options.asked.value_or(
       about == nullptr ? Claim::kDelaunay : default_claim(loaded->mesh, *about));
   const check::Options judging = {.by = options.by, .threads = threads};
+  if (const std::string missing = check::fault_of_claim(claim, loaded->mesh, judging);
+      !missing.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, options.mesh + ": " + missing);
+    return;
+  }
   output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));
   const auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, judging, about);
   if (!verdict) {
@@ -112,6 +118,12 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   output.notes(loaded->notes);
+  if (verdict->tallies().contains(Rule::kPointsEqual)) {
+    if (write_equal_points(options.certificate, options.mesh, loaded->mesh, *verdict, output)) {
+      report(options, *verdict, loaded->mesh, about, output);
+    }
+    return;
+  }
   const ExactMesh mesh = exact(loaded->mesh);
   output.end_watch();
   const bool written =
@@ -125,7 +137,8 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  const bool is_unproved = options.asked && is_about_a_list(*options.asked);
+  const bool is_unproved =
+      options.asked && is_about_a_list(*options.asked) && *options.asked != Claim::kComplex;
   return first_fault(
       {{!options.required.empty(),
         "expected no --require of a certificate, found it: nothing is proved of the shape of "

@@ -90,8 +90,6 @@ std::vector<FaceUse> facets(const ExactMesh& mesh) {
 
 void sort(std::vector<FaceUse>& uses) { std::sort(uses.begin(), uses.end()); }
 
-namespace {
-
 std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   std::vector<Vertex> order(points.size());
   std::iota(order.begin(), order.end(), Vertex{0});
@@ -104,6 +102,8 @@ std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   });
   return order;
 }
+
+namespace {
 
 // Swaps two vertices where that makes the orientation positive.
 std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh,

@@ -120,6 +120,9 @@ struct Incidence {
   std::optional<std::size_t> place = {};
 };
 
+// All points, by their coordinates and then by their numbers.
+std::vector<Vertex> lexicographic_order(const ScaledPoints& points);
+
 struct Certificate {
   Claim claim = Claim::kDelaunay;
   ScaledPoints points;

@@ -78,6 +78,25 @@ TEST_CASE("a certificate in space") {
   CHECK(text.find("sample 1 1 1 1 2\n") != std::string::npos);
 }
 
+TEST_CASE("the certificate of a mesh alone, as it stands in the file") {
+  // Two triangles that meet in a point: of all lines through it only x = 2 parts them.
+  const ExactMesh mesh{PointSet({{0, 0}, {0, 4}, {2, 2}, {4, 0}, {4, 4}}), {{0, 1, 2}, {3, 4, 2}}};
+  const auto document = document_of(mesh, Verdict(Claim::kComplex, mesh, 1));
+  REQUIRE(document);
+  const std::string text = text_of(mesh, *document);
+  CHECK(text.find("circumspect-certificate 1 complex 2\nscale 2 1\npoints 5\n"
+                  "0 0  1 0 0\n0 2  1 1 1\n1 1  2 2 2\n2 0  2 0 3\n2 2  2 1 4\n"
+                  "simplices 2 3\n1 2 3  1  2 ") == 0);
+  CHECK(text.find("\n4 5 3  2\norder 2\n1\n2\nend\n") != std::string::npos);
+}
+
+TEST_CASE("a triangle in space is certified with a point beside it") {
+  const ExactMesh mesh{PointSet({{0, 0, 0}, {0, 0, 2}, {0, 2, 0}}), {{0, 1, 2}}};
+  const auto document = document_of(mesh, Verdict(Claim::kComplex, mesh, 1));
+  REQUIRE(document);
+  CHECK(text_of(mesh, *document).find("simplices 1 3\n1 2 3  1  1 0 0\n") != std::string::npos);
+}
+
 TEST_CASE("without a plane or a space, or of another claim, there is none, and it says why") {
   const auto refusal = [](const ExactMesh& mesh, Claim claim) {
     const auto document = document_of(mesh, Verdict(claim, mesh, 1));

@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/complex_certificate.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -50,11 +51,11 @@ struct RefutationWithPoints {
   ScaledPoints points;
 };
 
-using Document = std::variant<Certificate, RefutationWithPoints>;
+using Document = std::variant<Certificate, ComplexCertificate, RefutationWithPoints>;
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
-// people: other claims; points that span no plane or space, or have other dimensions; a verdict that
-// fails for nothing but rules that are no part of the claim.
+// people: other claims; points that span no plane or space (where the claim is not complex, or fails), or have other
+// dimensions; a verdict that fails for nothing but rules that are no part of the claim.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);
