@@ -20,7 +20,7 @@ VoronoiDiagram diagram_of(const VoronoiRow& row) {
   REQUIRE(source);
   auto file = formats::read_voronoi(*source, NumberReading::kDouble);
   REQUIRE(file);
-  return {PointSet(points->points.points), file->vertices, file->cells, file->neighbors};
+  return {PointSet(points->points.points.points()), file->vertices, file->cells, file->neighbors};
 }
 
 }  // namespace

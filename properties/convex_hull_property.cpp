@@ -16,7 +16,7 @@
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
-namespace circumspect::properties {
+namespace circumspect::properties::convex_hull {
 namespace {
 
 using generators::Dice;
@@ -191,4 +191,4 @@ TEST_CASE("convex-hull: by lemma and by definition the same is said of every lis
 }
 
 }  // namespace
-}  // namespace circumspect::properties
+}  // namespace circumspect::properties::convex_hull

@@ -17,7 +17,7 @@
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
-namespace circumspect::properties {
+namespace circumspect::properties::surface {
 namespace {
 
 using generators::Dice;
@@ -40,7 +40,7 @@ ExactMesh drawn_surface(Dice& dice, std::size_t d) {
   const std::vector<Simplex> simplices = delaunay::bowyer_watson(mesh.points).simplices();
   mesh.simplices = d == 2               ? simplices
                    : dice.below(3) != 0 ? definition::open_facets(simplices)
-                                        : definition::faces_of(simplices, 3);
+                                        : faces_of(simplices, 3);
   std::erase_if(mesh.simplices, [](const Simplex& simplex) { return simplex.size() != 3; });
   return mesh;
 }
@@ -113,4 +113,4 @@ TEST_CASE("surface-delaunay: by lemma and by definition the same is said of all 
 }
 
 }  // namespace
-}  // namespace circumspect::properties
+}  // namespace circumspect::properties::surface

@@ -12,7 +12,7 @@
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
-namespace circumspect::properties {
+namespace circumspect::properties::voronoi {
 namespace {
 
 using generators::Dice;
@@ -131,4 +131,4 @@ TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram
 }
 
 }  // namespace
-}  // namespace circumspect::properties
+}  // namespace circumspect::properties::voronoi

@@ -16,8 +16,8 @@ std::vector<std::string_view> endings_of_domain_meshes();
 // Why the vertices of this mesh cannot be counted from `first_index`; empty if they can.
 std::string numbering_fault(const DomainMesh& mesh, Vertex first_index);
 
-// What is wrong with writing this mesh there; empty if nothing is. An .ele alone, as "-" gets, holds
-// neither what dangles nor points that the domain does not have.
+// What is wrong with writing this mesh there; empty if nothing is. An .ele alone, as "-" gets,
+// holds neither what dangles nor points that the domain does not have.
 std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh);
 
 // OUT.ele, and beside it OUT.node, OUT.face (in space) and OUT.edge; or all in one file of another

@@ -135,10 +135,10 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   add_options(
       *command,
       {{"input", "", required(options->inputs),
-         fmt::format("Points: {}; meshes: .ele, .tet, .npz, .qhull-i, and with --mesh all that "
-                     "check reads; domains: {}",
-                     formats::endings_in_help(&formats::Format::has_points),
-                     formats::endings_in_help(&formats::Format::has_domain))},
+        fmt::format("Points: {}; meshes: .ele, .tet, .npz, .qhull-i, and with --mesh all that "
+                    "check reads; domains: {}",
+                    formats::endings_in_help(&formats::Format::has_points),
+                    formats::endings_in_help(&formats::Format::has_domain))},
        {"--subsets", "N", into(options->points.subsets, whole_number()),
         "Test at most N subsets for genericity (default: 200000; 0: all)"},
        {"--simplex", "VERTICES", into(options->points.simplices),

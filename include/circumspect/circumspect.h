@@ -187,7 +187,8 @@ typedef struct circumspect_options {
   int32_t
       merge_equal_points; /* not 0: equal points count as one, the first (if weights count, the heaviest) */
   int32_t allow_empty; /* not 0: a mesh without points and simplices is judged */
-  const char* demands; /* NULL, or what is demanded beside the claim, as the command's options: "only-extreme" */
+  const char*
+      demands; /* NULL, or what is demanded beside the claim, as the command's options: "only-extreme" */
   /* What is demanded of the shape of every simplex, each as "min-angle:20.7deg" or "radius-edge <= sqrt(2)"; and
    * NULL, or an angle as "60deg": simplices that touch both sides of a sharper one are set aside. */
   int64_t require_count;

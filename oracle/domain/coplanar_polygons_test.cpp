@@ -7,6 +7,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
+#include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "oracle/model/complex_demands.hpp"
-#include "oracle/model/measure.hpp"
 #include "oracle/model/hull_demands.hpp"
+#include "oracle/model/measure.hpp"
 
 namespace circumspect::check {
 
