@@ -11,7 +11,7 @@
 namespace circumspect {
 
 // The convex hull of some vertices. If it is unbounded, it also has every direction that does not
-// come nearer to a neighbour of its site than to the site.
+// come nearer to another site than to its own.
 struct ListedCell {
   std::vector<Vertex> corners = {};  // among the listed vertices, from 0; others name none
   bool is_unbounded = false;
@@ -21,7 +21,8 @@ struct VoronoiDiagram {
   PointSet sites;
   std::vector<Point> vertices = {};
   std::vector<ListedCell> cells = {};  // one a site
-  // Pairs of sites whose cells have a common ridge; for the directions of unbounded cells.
+  // Pairs of sites whose cells have a common ridge; need not be all, since Qhull leaves out those
+  // with too few vertices. They tell where the directions of unbounded cells end.
   std::vector<std::array<Vertex, 2>> neighbors = {};
 };
 

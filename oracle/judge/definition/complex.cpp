@@ -140,7 +140,7 @@ ImproperPairs improper_pairs(const ListedComplex& listed, const SetApart& apart)
   for (const std::size_t i : apart.compared) {
     for (const std::size_t j : apart.compared) {
       if (j <= i) continue;
-      const Simplex &a = apart.merged[i], &b = apart.merged[j];
+      const Simplex a = sorted(apart.merged[i]), b = sorted(apart.merged[j]);
       if (meet_properly(listed, a, b)) continue;
       if (relative_interiors_meet(at(listed, a), at(listed, b))) {
         pairs.overlaps.push_back({i, j});

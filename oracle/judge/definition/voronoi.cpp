@@ -18,45 +18,6 @@ bool is_in(const Halfspace& half, const Point& point) {
   return inner_product(half.normal, point) <= half.offset;
 }
 
-// What spans the directions that are in all of these halfspaces, whose offsets are 0: those on the
-// boundaries of one or two. If there is a line among the directions, there are also those that lead
-// along an axis, and straight away from a boundary.
-Points spanning_directions(const std::vector<Point>& normals, std::size_t d) {
-  Points from_origin = normals;
-  from_origin.emplace_back(d, 0);
-  const bool may_have_line = affine_hull(from_origin).dimension < static_cast<int>(d);
-  Points candidates;
-  for (std::size_t axis = 0; axis < d; ++axis) candidates.push_back(unit(d, axis, 1));
-  for (const Point& a : normals) {
-    candidates.push_back(a);
-    for (std::size_t axis = 0; d == 3 && axis < d; ++axis) {
-      candidates.push_back(cross_product(a, unit(d, axis, 1)));
-    }
-    for (const Point& b : normals) {
-      if (d == 3) candidates.push_back(cross_product(a, cross_product(a, b)));
-    }
-  }
-  if (!may_have_line) candidates.clear();
-  for (const Point& a : normals) {
-    if (d == 2) candidates.push_back({a[1], -a[0]});
-    for (const Point& b : normals) {
-      if (d == 3) candidates.push_back(cross_product(a, b));
-    }
-  }
-  std::set<Point> found;
-  for (const Point& candidate : candidates) {
-    for (const int side : {1, -1}) {
-      const Point direction = Rational(side) * candidate;
-      const auto leads_away = [&](const Point& normal) {
-        return sign(inner_product(normal, direction)) <= 0;
-      };
-      if (sign(squared_length(direction)) == 0) continue;
-      if (std::all_of(normals.begin(), normals.end(), leads_away)) found.insert(direction);
-    }
-  }
-  return {found.begin(), found.end()};
-}
-
 struct Generators {
   std::set<Point> points, directions;
 };
@@ -90,6 +51,47 @@ Generators cut(const Generators& all, const Halfspace& half) {
 }
 
 }  // namespace
+
+// Those on the boundaries of one or two. If there is a line among the directions, there are also
+// those that lead along an axis, and straight away from a boundary.
+std::vector<Point> spanning_directions(const std::vector<Point>& normals, std::size_t d) {
+  Points from_origin = normals;
+  from_origin.emplace_back(d, 0);
+  const bool may_have_line = affine_hull(from_origin).dimension < static_cast<int>(d);
+  Points candidates;
+  for (std::size_t axis = 0; axis < d; ++axis) candidates.push_back(unit(d, axis, 1));
+  for (const Point& a : normals) {
+    candidates.push_back(a);
+    for (std::size_t axis = 0; d == 3 && axis < d; ++axis) {
+      candidates.push_back(cross_product(a, unit(d, axis, 1)));
+    }
+    for (const Point& b : normals) {
+      if (d == 3) candidates.push_back(cross_product(a, cross_product(a, b)));
+    }
+  }
+  if (!may_have_line) candidates.clear();
+  for (const Point& a : normals) {
+    if (d == 2) candidates.push_back({a[1], -a[0]});
+    for (const Point& b : normals) {
+      if (d == 3) candidates.push_back(cross_product(a, b));
+    }
+  }
+  std::set<Point> found;
+  for (const Point& candidate : candidates) {
+    for (const int side : {1, -1}) {
+      const Point direction = Rational(side) * candidate;
+      const auto leads_away = [&](const Point& normal) {
+        return sign(inner_product(normal, direction)) <= 0;
+      };
+      if (sign(squared_length(direction)) == 0) continue;
+      if (!std::all_of(normals.begin(), normals.end(), leads_away)) continue;
+      Rational largest = 0;  // of its coordinates: directions are the same up to their length
+      for (const Rational& x : direction) largest = std::max<Rational>(largest, abs(x));
+      found.insert(Rational(1 / largest) * direction);
+    }
+  }
+  return {found.begin(), found.end()};
+}
 
 std::vector<Halfspace> halfspaces_of(const JudgedBox& box) {
   std::vector<Halfspace> halves;
@@ -129,9 +131,8 @@ std::vector<Point> exact_corners(const PointSet& sites, Vertex site, const Judge
 std::vector<Point> directions_of(const VoronoiDiagram& diagram, Vertex site) {
   if (!diagram.cells[static_cast<std::size_t>(site)].is_unbounded) return {};
   Points normals;
-  for (const auto& [a, b] : diagram.neighbors) {
-    if (a == site) normals.push_back(diagram.sites[b] - diagram.sites[a]);
-    if (b == site) normals.push_back(diagram.sites[a] - diagram.sites[b]);
+  for (Vertex other = 0; diagram.sites.names(other); ++other) {
+    if (other != site) normals.push_back(diagram.sites[other] - diagram.sites[site]);
   }
   return spanning_directions(normals, diagram.sites.ambient_dimension());
 }

@@ -24,8 +24,13 @@ Halfspace nearer_to(const PointSet& sites, Vertex i, Vertex j);
 // are in all halfspaces.
 std::vector<Point> exact_corners(const PointSet& sites, Vertex site, const JudgedBox& box);
 
-// Directions that span those in which a listed cell is unbounded; none if it is bounded.
-// Requires: two or three coordinates.
+// What spans the directions along which no product with a normal is positive.
+// Requires: d is 2 or 3, the dimension of the normals.
+std::vector<Point> spanning_directions(const std::vector<Point>& normals, std::size_t d);
+
+// Directions that span those in which a listed cell is unbounded, which no list says exactly: those
+// that do not come nearer to any other site. None if it is bounded. Requires: two or three
+// coordinates.
 std::vector<Point> directions_of(const VoronoiDiagram& diagram, Vertex site);
 
 // Points of whose convex hull the listed cell consists within the box: one halfspace after the

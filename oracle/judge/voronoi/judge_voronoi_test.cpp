@@ -102,6 +102,16 @@ TEST_CASE("cells in space: eight sites at the corners of a cube") {
   CHECK(judged(diagram).voronoi->squared_distance == Rational(1, 16));
 }
 
+TEST_CASE("ridges that are not listed do not make unbounded cells larger") {
+  std::vector<Point> sites;
+  for (int i = 0; i < 8; ++i) sites.push_back({2 * (i & 1), i & 2, (i & 4) / 2});
+  VoronoiDiagram diagram{PointSet(sites)};
+  diagram.vertices = {{1, 1, 1}};
+  diagram.cells.assign(8, {{0}, true});
+  diagram.neighbors = {{0, 1}};  // of twelve
+  CHECK(judged(diagram).holds());
+}
+
 TEST_CASE("what cannot be judged is refused, with what to do") {
   VoronoiDiagram diagram = square_with_centre();
   diagram.neighbors.clear();

@@ -1,6 +1,7 @@
 #include "oracle/judge/voronoi/listed_cell.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "oracle/judge/definition/voronoi.hpp"
@@ -45,6 +46,38 @@ std::vector<Halfspace> halfspaces_around(const std::set<Point>& points,
   return halves;
 }
 
+// As definition::directions_of: of the listed neighbours first, then of the sites to which one of
+// the directions found so far comes nearer.
+std::vector<Point> directions_of(const VoronoiDiagram& diagram, Vertex site) {
+  if (!diagram.cells[static_cast<std::size_t>(site)].is_unbounded) return {};
+  const PointSet& sites = diagram.sites;
+  std::set<Vertex> others;
+  for (const auto& [a, b] : diagram.neighbors) {
+    if (a == site) others.insert(b);
+    if (b == site) others.insert(a);
+  }
+  others.erase(site);
+  while (true) {
+    std::vector<Point> normals;
+    for (const Vertex other : others) normals.push_back(sites[other] - sites[site]);
+    std::vector<Point> directions =
+        definition::spanning_directions(normals, sites.ambient_dimension());
+    const std::size_t before = others.size();
+    for (const Point& direction : directions) {
+      std::optional<Vertex> nearest;
+      Rational most = 0;
+      for (Vertex other = 0; sites.names(other); ++other) {
+        const Rational along = inner_product(sites[other] - sites[site], direction);
+        if (along <= most) continue;
+        most = along;
+        nearest = other;
+      }
+      if (nearest) others.insert(*nearest);
+    }
+    if (others.size() == before) return directions;
+  }
+}
+
 }  // namespace
 
 std::vector<Point> corners_of_listed(const VoronoiDiagram& diagram, Vertex site,
@@ -54,7 +87,7 @@ std::vector<Point> corners_of_listed(const VoronoiDiagram& diagram, Vertex site,
     points.insert(diagram.vertices[static_cast<std::size_t>(v)]);
   }
   if (points.empty()) return {};
-  const std::vector<Point> directions = definition::directions_of(diagram, site);
+  const std::vector<Point> directions = directions_of(diagram, site);
   const auto is_in_box = [&box](const Point& point) { return is_inside(box, point); };
   if (directions.empty() && std::all_of(points.begin(), points.end(), is_in_box)) {
     return {points.begin(), points.end()};
