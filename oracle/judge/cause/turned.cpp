@@ -114,11 +114,11 @@ Turned turned_against_neighbours(const Mesh& mesh) {
 }  // namespace
 
 std::optional<Cause> other_points(Case& of) {
-  constexpr std::size_t kFewest = 16;
+  constexpr std::size_t kFewestTurned = 16;
   const std::size_t places =
       of.count(Rule::kOverlap) + of.count(Rule::kDegenerateSimplex) + of.count(Rule::kFacesCross);
   const Turned turned = turned_against_neighbours(of.mesh());
-  if (4 * turned.fewer < turned.of || turned.of < kFewest) return std::nullopt;
+  if (4 * turned.fewer < turned.of || turned.of < kFewestTurned) return std::nullopt;
   return of.cause(
       "points-of-another-mesh",
       fmt::format("the points seem to be those of another mesh, or in another order: {} of {} are "
