@@ -30,4 +30,7 @@ DoubleRange signed_square_of_degrees(const Rational& degrees);
 // from −1 to 1.
 std::string degrees_to_decimal(const Rational& signed_square);
 
+// α + β − 180 in degrees, likewise, of two angles with these signed squares.
+std::string excess_in_degrees(const Rational& alpha, const Rational& beta);
+
 }  // namespace circumspect

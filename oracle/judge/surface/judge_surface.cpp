@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "kernel/exact/angle_sum.hpp"
+#include "kernel/exact/angle.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/definition/surface_delaunay.hpp"
 
