@@ -120,11 +120,10 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
 
 TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram") {
   Outcomes seen;
-  // The definition keeps every point where a segment between two others is cut: a tenth of a second
-  // for an input in the plane, and in space too long even for five sites.
-  compare(2, 400, seen);
-  CHECK(occurs(seen.exact, 40));
-  CHECK(occurs(seen.held, 2));
+  compare(2, 1200, seen);
+  compare(3, 40, seen);
+  CHECK(occurs(seen.exact, 120));
+  CHECK(occurs(seen.held, 6));
   for (const Rule rule : {Rule::kCellDiffers, Rule::kCellMissing, Rule::kVoronoiUnknownVertex}) {
     CAPTURE(identifier(rule));
     CHECK(occurs(seen.broken[rule]));

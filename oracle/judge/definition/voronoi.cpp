@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace circumspect::definition {
 namespace {
@@ -48,6 +49,36 @@ Generators cut(const Generators& all, const Halfspace& half) {
     }
   }
   return kept;
+}
+
+// Is p, or a direction, a combination of the others, with coefficients that are not negative? Those
+// of points have the sum 1 for a point, and 0 for a direction.
+bool is_combined(const Point& p, bool is_point, const Generators& others) {
+  RationalMatrix rows(p.size() + 1);
+  const auto add = [&](const Point& one, bool counts) {
+    for (std::size_t axis = 0; axis < p.size(); ++axis) rows[axis].push_back(one[axis]);
+    rows.back().push_back(counts ? 1 : 0);
+  };
+  for (const Point& point : others.points) {
+    if (is_point) add(point, true);
+  }
+  for (const Point& direction : others.directions) add(direction, false);
+  if (rows.back().empty()) return false;
+  std::vector<Rational> right = p;
+  right.emplace_back(is_point ? 1 : 0);
+  return is_solvable(std::move(rows), std::move(right), 0);
+}
+
+// Without what the others combine to, so that few are left to be cut again.
+Generators without_others(Generators all) {
+  for (const bool is_point : {false, true}) {
+    std::set<Point>& own = is_point ? all.points : all.directions;
+    for (const Point& one : std::vector<Point>(own.begin(), own.end())) {
+      own.erase(one);
+      if (!is_combined(one, is_point, all)) own.insert(one);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -144,7 +175,7 @@ std::vector<Point> listed_corners(const VoronoiDiagram& diagram, Vertex site,
     cell.points.insert(diagram.vertices[static_cast<std::size_t>(v)]);
   }
   for (const Point& direction : directions_of(diagram, site)) cell.directions.insert(direction);
-  for (const Halfspace& half : halfspaces_of(box)) cell = cut(cell, half);
+  for (const Halfspace& half : halfspaces_of(box)) cell = without_others(cut(cell, half));
   return {cell.points.begin(), cell.points.end()};
 }
 
