@@ -1,4 +1,5 @@
 // What the C interface says about hulls, surfaces and Voronoi diagrams, and what it refuses.
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,27 @@ TEST_CASE("cells are judged within a distance and a box") {
   diagram.dimension = 4;
   CHECK(circumspect_check_voronoi(&diagram, &options, &verdict) == CIRCUMSPECT_INVALID_ARGUMENT);
   CHECK(circumspect_check_voronoi(nullptr, &options, &verdict) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("a mesh that repeats is judged with its lattice and offsets") {
+  const std::vector<double> point = {0.25, 0.5}, square = {1, 0, 0, 1}, flat = {1, 2, 2, 4};
+  const std::vector<std::int32_t> cells = {0, 0, 0, 0, 0, 0};
+  std::vector<std::int64_t> offsets = {0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1};
+  circumspect_mesh mesh = mesh_of(point, cells);
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  const auto judged = [&] { return check("periodic-delaunay", &mesh, nullptr, &options); };
+  CHECK(judged().status == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(has(circumspect_last_error(), "expected lattice and offsets beside the claim"));
+  options.lattice = square.data();
+  options.offsets = offsets.data();
+  CHECK(circumspect_verdict_holds(judged().verdict.get()) == 1);
+  offsets[4] = 0;
+  CHECK(circumspect_verdict_holds(judged().verdict.get()) == 0);
+  options.lattice = flat.data();
+  CHECK(judged().status == CIRCUMSPECT_INPUT_FAULT);
+  // The options of an earlier version end before the lattice.
+  options.struct_size = offsetof(circumspect_options, lattice);
+  CHECK(judged().status == CIRCUMSPECT_INVALID_ARGUMENT);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/periodic/unfolded.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
@@ -179,6 +180,26 @@ std::vector<Cause> causes_of(const Verdict& verdict, const Mesh& mesh, const Dom
   return check::causes(verdict, mesh, again).found;
 }
 
+// The mesh that the lattice repeats, with a point for each corner.
+Mesh unfolded(const Mesh& listed, const circumspect_options& asked) {
+  if (asked.lattice == nullptr || asked.offsets == nullptr) {
+    refuse_call(
+        "expected lattice and offsets beside the claim periodic-delaunay, found NULL: say how the "
+        "mesh repeats");
+  }
+  const auto d = static_cast<std::int64_t>(listed.dimension());
+  Periodic periodic{exact_points(d, d, asked.lattice, nullptr), {}};
+  const std::int64_t* next = asked.offsets;
+  for (const Simplex& simplex : listed.simplices.lists()) {
+    const std::int64_t* const end = next + std::ssize(simplex) * d;
+    periodic.offsets.emplace_back(next, end);
+    next = end;
+  }
+  const std::string fault = check::fault_of_periodic(listed, periodic);
+  if (!fault.empty()) refuse_input(fault);
+  return check::unfolded(listed, periodic);
+}
+
 QualityDemands quality_of(const circumspect_options& asked) {
   QualityDemands demands;
   if (asked.require_count < 0) {
@@ -212,7 +233,7 @@ circumspect_options asked_of(const circumspect_options* options) {
       *options, defaults,
       {offsetof(circumspect_options, with_pictures),
        offsetof(circumspect_options, merge_equal_points), offsetof(circumspect_options, demands),
-       offsetof(circumspect_options, require_count)},
+       offsetof(circumspect_options, require_count), offsetof(circumspect_options, lattice)},
       "CIRCUMSPECT_OPTIONS");
 }
 
@@ -302,6 +323,7 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     if (asked.allow_empty == 0) {
       c::refuse_empty(judged, "; to judge an empty mesh, set allow_empty");
     }
+    if (known == Claim::kPeriodicDelaunay) judged = c::unfolded(judged, asked);
     std::optional<Domain> about;
     if (domain != nullptr) {
       about.emplace(c::domain_of(*domain));

@@ -60,6 +60,8 @@ def command_lines():
         lines += in_both_formats(f"check domains/{mesh} --domain domains/{domain} --claim {claim}")
     for cells, sites, options, _, _ in rows("voronoi/expected.tsv"):
         lines += in_both_formats(f"check voronoi/{cells} --points voronoi/{sites} --claim voronoi {options}".strip())
+    for mesh, options, _, _ in rows("periodic/expected.tsv"):
+        lines += in_both_formats(f"check periodic/{mesh} --claim periodic-delaunay {options}")
     for row in rows("findings/expected.tsv"):
         (claim, *kind), points, mesh = row[1].split(), row[3], row[4]
         if mesh == "-":

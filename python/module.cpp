@@ -225,7 +225,8 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
                 bool allow_empty, const std::optional<std::string>& within,
                 const std::string& demands, const std::string& name, double limit, bool brief,
                 const std::vector<std::string>& requirements,
-                const std::optional<std::string>& except_sharp) {
+                const std::optional<std::string>& except_sharp,
+                const std::optional<Doubles>& lattice, const std::optional<Indices>& offsets) {
   const MeshArgument argument(mesh);
   std::vector<const char*> required;
   for (const std::string& text : requirements) required.push_back(text.c_str());
@@ -246,6 +247,8 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
   options.require_count = static_cast<std::int64_t>(required.size());
   options.require = required.data();
   options.except_sharp = except_sharp ? except_sharp->c_str() : nullptr;
+  options.lattice = lattice ? lattice->data() : nullptr;
+  options.offsets = offsets ? offsets->data() : nullptr;
   std::shared_ptr<circumspect_verdict> own;
   const auto call = [&] {
     circumspect_verdict* made = nullptr;
@@ -403,7 +406,8 @@ PYBIND11_MODULE(_core, module) {
              py::arg("threads"), py::arg("max_violations"), py::arg("by_definition"),
              py::arg("oriented"), py::arg("merge"), py::arg("allow_empty"), py::arg("within"),
              py::arg("demands"), py::arg("name"), py::arg("limit"), py::arg("brief"),
-             py::arg("require") = std::vector<std::string>(), py::arg("except_sharp") = py::none());
+             py::arg("require") = std::vector<std::string>(), py::arg("except_sharp") = py::none(),
+             py::arg("lattice") = py::none(), py::arg("offsets") = py::none());
   module.def("check_voronoi", &check_voronoi);
   module.def("delaunay", &delaunay);
   module.def("constrained_delaunay", &constrained_delaunay);

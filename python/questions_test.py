@@ -50,3 +50,19 @@ def test_what_is_no_diagram_is_refused():
         circumspect.check_voronoi(SQUARE)
     with pytest.raises(TypeError, match="expected doubles as sites"):
         circumspect.check_voronoi([[fractions.Fraction(1, 3), 0]], [[0, 0]], [[0]])
+
+
+def test_a_mesh_that_repeats():
+    cells, offsets = [[0, 0, 0], [0, 0, 0]], [[[0, 0], [1, 0], [1, 1]], [[0, 0], [1, 1], [0, 1]]]
+    judged = lambda **how: circumspect.check([[0.25, 0.5]], cells, "periodic-delaunay", **how)
+    assert judged(lattice=[1, 1], offsets=offsets)
+    assert judged(lattice=[[1, 0], [0, 1]], offsets=np.array(offsets)).claim == "periodic-delaunay"
+    assert judged(lattice=[[1, 0], [1, 1]], offsets=offsets).rules == {"delaunay.facet-not-local": 1}
+    with pytest.raises(ValueError, match="linearly dependent"):
+        judged(lattice=[[1, 2], [2, 4]], offsets=offsets)
+    with pytest.raises(ValueError, match="expected lattice and offsets beside the claim periodic-delaunay"):
+        judged(lattice=[1, 1])
+    with pytest.raises(ValueError, match=r"expected offsets of shape \(2, 3, 2\), found \(2, 3\)"):
+        judged(lattice=[1, 1], offsets=cells)
+    with pytest.raises(ValueError, match="expected the claim periodic-delaunay beside lattice, found delaunay"):
+        circumspect.check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "delaunay", lattice=[1, 1])

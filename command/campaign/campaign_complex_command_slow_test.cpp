@@ -1,4 +1,4 @@
-// Campaigns whose meshes are to be complexes, and nothing more.
+// Campaigns whose meshes are to be complexes, and nothing more, and those of Voronoi diagrams.
 #include <doctest/doctest.h>
 
 #include "command/campaign/program_test.hpp"
@@ -38,6 +38,46 @@ TEST_CASE("campaign --claim complex: a simplex that is listed twice is found, an
   CHECK(has(twice.finding("complex.duplicate-simplex", "reproduce.sh"), "--claim complex"));
   const std::string small = twice.finding("complex.duplicate-simplex", "verdict.json");
   CHECK(has(small, "\"minimal_points\": 4"));
+}
+
+// Each diagram of which `rows` makes its lines.
+std::string diagrams(const std::string& rows) {
+  return "CIRCUMSPECT=" CIRCUMSPECT_COMMAND
+         "\n\"$CIRCUMSPECT\" build voronoi \"$1\" > whole || exit 9\nawk '" +
+         rows + "' whole > \"$2\"\n";
+}
+
+const Arguments kAskedOfCells = {"--claim",
+                                 "voronoi",
+                                 "--within",
+                                 "1e-6x",
+                                 "--cases",
+                                 "12",
+                                 "--max-points",
+                                 "8",
+                                 "--families",
+                                 "integers",
+                                 "--full-dimension",
+                                 "--dimension",
+                                 "2",
+                                 "--minimize-runs",
+                                 "40"};
+
+TEST_CASE("campaign --claim voronoi: a right program holds, and one that moves a corner does not") {
+  const Program right(diagrams("{ print }"));
+  const Run held = run(right.campaign(kAskedOfCells));
+  CHECK_MESSAGE(held.exit_code == 0, (held.out + held.err));
+  const Program wrong(diagrams("NR == 4 { $1 += 1 } { print }"));
+  Arguments asked = kAskedOfCells;
+  asked.push_back("--go-on");
+  const Run failed = run(wrong.campaign(asked));
+  CHECK(failed.exit_code == 1);
+  CHECK(wrong.signatures() == std::set<std::string>{"voronoi.cell-differs"});
+  CHECK(has(wrong.finding("voronoi.cell-differs", "reproduce.sh"),
+            "--claim voronoi --points \"$here/minimal.node\" --within 1/1000000x"));
+  CHECK(has(wrong.finding("voronoi.cell-differs", "verdict.json"), "\"minimal_points\": 3"));
+  const Run bare = run(right.campaign({"--claim", "delaunay", "--within", "1e-6"}));
+  CHECK(bare.exit_code == 2);
 }
 
 }  // namespace

@@ -135,6 +135,10 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
   add_claim_option(
       command, options.claim,
       "The claim that every mesh must fulfil (default: delaunay; for domains steiner-cdt)");
+  add_within_option(
+      command, options.within,
+      "With the claim voronoi: how far a cell may be from the exact one, a number, or "
+      "a multiple of the longest side of the bounding box of the sites: 1e-9x");
   add_domain_options(command, options.said);
   add_options(command, rows_of_inputs(options));
   add_options(command, rows_of_limits(options));

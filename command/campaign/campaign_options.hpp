@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "command/check/within_option.hpp"
 #include "command/options/domain_options.hpp"
 #include "fuzz/process/process.hpp"
 #include "inputs/minimise.hpp"
@@ -36,7 +37,8 @@ struct SubjectOptions {
   std::string promise;
   std::vector<generators::Untidiness> untidiness;
   std::optional<Claim> claim;
-  DomainOptions said;  // of every domain
+  std::optional<Distance> within;  // of Voronoi cells
+  DomainOptions said;              // of every domain
   std::size_t dimension = 3;
   Vertex first_index = 0;
   bool full_dimension = false;

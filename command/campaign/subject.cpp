@@ -93,7 +93,8 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
                    domains ? ".poly, .geo, .off, .obj, .ply, .stl, .msh or .case"
                            : ".node, .qhull, .off, .json, .xyz or .case",
                    subject.input_name)},
-      {!is_mesh_extension(formats::extension(subject.mesh_name)),
+      {subject.claim != Claim::kVoronoi &&
+           !is_mesh_extension(formats::extension(subject.mesh_name)),
        fmt::format("expected a name of the mesh that ends in one of {}, found {}",
                    formats::endings_of(&formats::Format::has_mesh), subject.mesh_name)},
       {domains && options.dimension != 2 && options.dimension != 3,
@@ -105,8 +106,18 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
        "has many domains"},
       {!options.is_worker && has_updates,
        "expected --worker with --updates, found none: such a program must go on after each mesh"},
-      {subject.claim == Claim::kVoronoi,
-       "expected a claim about meshes, which programs make in campaigns, found voronoi"},
+      {subject.claim == Claim::kPeriodicDelaunay,
+       fmt::format("expected a claim about meshes, which programs make in campaigns, found {}",
+                   name(subject.claim))},
+      dependence({options.within.has_value(), "--within"},
+                 {subject.claim == Claim::kVoronoi, "--claim voronoi"},
+                 "meshes are judged as they are"),
+      {subject.claim == Claim::kVoronoi && (options.is_worker || !options.against.empty()),
+       "expected neither --worker nor --against beside --claim voronoi, found one: a program "
+       "writes "
+       "each diagram as qvoronoi o Fv does"},
+      {subject.claim == Claim::kVoronoi && options.dimension != 2 && options.dimension != 3,
+       "expected --dimension 2 or 3 for Voronoi diagrams"},
       options.is_worker ? worker_fault_of(options, subject) : "",
       {has_updates && !subject.relations.empty(),
        "expected --metamorphic or --updates, found both"},
@@ -125,10 +136,11 @@ void settle_files(const SubjectOptions& options, Subject& subject) {
                                            : "x.node";
   subject.mesh_name = options.mesh_name;
   if (options.mesh_name.empty()) {
-    subject.mesh_name = !options.is_worker       ? "x.ele"
-                        : !domains               ? "answer.qhull-i"
-                        : options.dimension == 3 ? "answer.tet"
-                                                 : "answer.off";
+    subject.mesh_name = subject.claim == Claim::kVoronoi ? "x.qvoronoi"
+                        : !options.is_worker             ? "x.ele"
+                        : !domains                       ? "answer.qhull-i"
+                        : options.dimension == 3         ? "answer.tet"
+                                                         : "answer.off";
   }
   const std::string mesh = formats::extension(subject.mesh_name);
   subject.first_index = mesh == ".qhull-i" ? 0 : options.first_index;
@@ -173,6 +185,10 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   subject.about = options.about;
   subject.promise = options.promise;
   subject.is_untidy = !options.untidiness.empty();
+  if (options.within) {
+    subject.within = options.within->number;
+    subject.is_within_relative = options.within->relative;
+  }
   subject.dimension = options.dimension;
   subject.fill = options.said.fill.value_or(Fill::kEnclosed);
   subject.merges_coplanar = options.said.merged_slope.has_value();

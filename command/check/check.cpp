@@ -117,6 +117,13 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     return;
   }
   const Claim claim = options.claim.value_or(Claim::kDelaunay);
+  if (claim == Claim::kPeriodicDelaunay) {
+    const std::string fault = unfold(*loaded, options.lattice, options.box);
+    if (!fault.empty()) {
+      output.error(ExitCode::kInputFault, "mesh", path, fault);
+      return;
+    }
+  }
   const std::string fault = check::fault_of_claim(claim, loaded->mesh, options.check);
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);

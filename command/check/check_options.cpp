@@ -68,6 +68,11 @@ std::string usage_fault(CheckOptions& options) {
                    fmt::format("the claim {}", claim)};
   const Asked hull{options.claim == Claim::kConvexHull, "--claim convex-hull"};
   const Asked voronoi{options.claim == Claim::kVoronoi, "--claim voronoi"};
+  const Asked periodic{options.claim == Claim::kPeriodicDelaunay, "--claim periodic-delaunay"};
+  const Asked boxed{voronoi.is_given || periodic.is_given,
+                    "--claim voronoi or --claim periodic-delaunay"};
+  const Asked lattice{options.lattice.is_given(), "--lattice"};
+  const Asked box{options.box.has_value(), "--box"};
   const Asked certificate{options.certificate.has_value(), "--certificate"};
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
@@ -82,7 +87,16 @@ std::string usage_fault(CheckOptions& options) {
       contradiction(memory, list),
       dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
       dependence({options.check.hull.only_extreme, "--only-extreme"}, hull),
-      dependence({options.box.has_value(), "--box"}, voronoi),
+      dependence(box, boxed),
+      dependence(lattice, periodic),
+      contradiction(lattice, box),
+      dependence(periodic, {lattice.is_given || box.is_given, "--lattice or --box"},
+                 "say how the mesh repeats"),
+      contradiction(periodic,
+                    {options.input.duplicates == Duplicates::kMerge, "--duplicates merge"},
+                    "offsets belong to the points that are listed"),
+      contradiction(periodic, {!options.input.kept_labels.empty(), "--keep-label"},
+                    "attributes are offsets"),
       dependence(voronoi, {options.input.points.has_value(), "--points FILE"},
                  "it has the sites, and the output of qvoronoi o Fv the cells"),
       quality_fault(options.check.quality),
@@ -142,6 +156,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
                {"--only-extreme", "", flag(hull.only_extreme),
                 "With the claim convex-hull: demand that every vertex is an extreme point"}});
   add_box_option(command, options.box);
+  add_lattice_option(command, options.lattice);
   add_options(command, {{"--neighbors", "", flag(options.input.neighbors),
                          "Also judge the .neigh file beside each .ele"},
                         {"--max-errors", "N", into(options.check.max_violations, whole_number()),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "command/check/complex_options.hpp"
+#include "command/check/periodic_mesh.hpp"
 #include "command/check/within_option.hpp"
 #include "command/input/input.hpp"
 #include "command/options/domain_options.hpp"
@@ -30,7 +31,8 @@ struct CheckOptions {
   std::shared_ptr<Pictures> pictures;
   check::Options check;
   ComplexOptions complex;
-  std::optional<JudgedBox> box;  // in which Voronoi cells are compared
+  std::optional<JudgedBox> box;  // in which Voronoi cells are compared, or which a mesh repeats
+  LatticeOption lattice;
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command/options/number_list.hpp"
 #include "command/options/option_rows.hpp"
 #include "oracle/formats/voronoi_file.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
@@ -38,17 +39,12 @@ tl::expected<LoadedDiagram, std::string> load_diagram(const std::string& path,
 
 // "0,0,1,1": the least coordinates, then the largest.
 std::optional<JudgedBox> box_of(const std::string& text) {
-  std::vector<Rational> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = read_number(text.substr(begin, end - begin), NumberReading::kDouble);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-    begin = end + 1;
-  }
-  const auto half = static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  if (numbers.size() % 2 != 0 || half < 2) return std::nullopt;
-  JudgedBox box{{numbers.begin(), numbers.begin() + half}, {numbers.begin() + half, numbers.end()}};
+  const auto numbers = number_list(text);
+  if (!numbers) return std::nullopt;
+  const auto half = static_cast<std::ptrdiff_t>(numbers->size() / 2);
+  if (numbers->size() % 2 != 0 || half < 2) return std::nullopt;
+  JudgedBox box{{numbers->begin(), numbers->begin() + half},
+                {numbers->begin() + half, numbers->end()}};
   for (std::size_t axis = 0; axis < box.low.size(); ++axis) {
     if (box.low[axis] >= box.high[axis]) return std::nullopt;
   }
@@ -66,7 +62,8 @@ void add_box_option(CLI::App& command, std::optional<JudgedBox>& box) {
   };
   add_options(command, {{"--box", "X0,Y0,X1,Y1", read_by(read),
                          "With the claim voronoi: compare cells within this box (default: that of "
-                         "the sites, enlarged on each side by half its longest edge)"}});
+                         "the sites, enlarged on each side by half its longest edge). With the "
+                         "claim periodic-delaunay: the box that the mesh repeats"}});
 }
 
 void check_voronoi(const std::string& path, const VoronoiQuestion& question, Pictures& pictures,

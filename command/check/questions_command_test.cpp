@@ -1,6 +1,10 @@
 // check --claim convex-hull, surface-delaunay and voronoi, and build voronoi: options, what is
 // refused, and that what is built holds.
+#include <fstream>
+#include <sstream>
+
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include "command/run_command.hpp"
 
@@ -63,7 +67,83 @@ TEST_CASE("check: a claim that makes no sense of a mesh is the input's fault, wi
   CHECK(no_cells.exit_code == 3);
   CHECK(has(no_cells.err,
             "house.ele:1: expected a line with the dimension, as qvoronoi o writes it"));
-  CHECK(run({"campaign", "--claim", "voronoi", "--", "true", "{points}"}).exit_code == 2);
+  const Run worker = run({"campaign", "--claim", "voronoi", "--worker", "--", "true"});
+  CHECK(worker.exit_code == 2);
+  CHECK(has(worker.err, "expected neither --worker nor --against beside --claim voronoi"));
+}
+
+TEST_CASE(
+    "check --claim periodic-delaunay: each mesh breaks the rule that its table names, or holds") {
+  const std::string corpus = CIRCUMSPECT_CORPUS_DIR "/periodic/";
+  std::ifstream table(corpus + "expected.tsv");
+  std::size_t rows = 0;
+  for (std::string line; std::getline(table, line); ++rows) {
+    INFO(line);
+    std::istringstream columns(line);
+    std::string mesh, options, rule;
+    std::getline(columns, mesh, '\t');
+    std::getline(columns, options, '\t');
+    std::getline(columns, rule, '\t');
+    const std::size_t blank = options.find(' ');
+    const std::vector<std::string> how = {options.substr(0, blank), options.substr(blank + 1)};
+    const Run judged = checked(corpus + mesh, "periodic-delaunay", how);
+    CHECK(judged.exit_code == (rule == "holds" ? 0 : 1));
+    CHECK(has(judged.out, rule == "holds" ? "holds: periodic-delaunay" : mesh + " " + rule + " "));
+    const Run defined =
+        checked(corpus + mesh, "periodic-delaunay", {how[0], how[1], "--by", "definition"});
+    CHECK(defined.exit_code == judged.exit_code);
+  }
+  CHECK(rows >= 11);
+}
+
+TEST_CASE("check --claim periodic-delaunay: corners are named, and told where they are") {
+  SmallLists lists;
+  lists.folder.write("one.node", "1 2 0 0\n1 0.25 0\n");
+  const std::string two =
+      lists.folder.write("one.ele", "2 3 6\n1 1 1 1 0 0 1 0 1 1\n2 1 1 1 0 0 0 1 1 1\n");
+  const auto judged = [&](const std::string& lattice, std::vector<std::string> more = {}) {
+    more.push_back("--lattice=" + lattice);
+    return checked(two, "periodic-delaunay", more);
+  };
+  CHECK(has(judged("1,0,0,1").out, "holds: periodic-delaunay " + two + " 1 point 2 triangles\n"));
+  CHECK(judged("1,0,0,1", {"--oriented"}).exit_code == 1);
+  const Run long_ = judged("1,0,1,1");
+  CHECK(long_.exit_code == 1);
+  CHECK(has(long_.out,
+            "  simplex  1 1 1 at (0.25, 0) (1.25, 0) (2.25, 1)\n"
+            "  face     1 1 at (0.25, 0) (2.25, 1)\n"
+            "  vertex   1 at (1.25, 1)\n"));
+  const Run json = judged("1,0,1,1", {"--format", "json"});
+  const auto violation = nlohmann::json::parse(json.out)["results"][0]["violations"][0];
+  CHECK(violation["places"]["face"].dump() == R"([["1/4","0"],["9/4","1"]])");
+  CHECK(!violation.contains("coordinates"));
+}
+
+TEST_CASE("check --claim periodic-delaunay: what is refused, and what to do") {
+  SmallLists lists;
+  lists.folder.write("p.node", "2 2 0 0\n0 0 0\n1 5 5\n");
+  const std::string mesh = lists.folder.write("p.ele", "1 3 6\n0 0 0 0 0 0 1 0 0 1\n");
+  const std::string bare = lists.folder.write("p.1.ele", "1 3 0\n0 0 0 0\n");
+  const auto refused = [&](const std::string& file, std::vector<std::string> more, int code,
+                           const std::string& text) {
+    more.insert(more.end(), {"--points", lists.folder.path("p.node")});
+    const Run run = checked(file, "periodic-delaunay", more);
+    CHECK(run.exit_code == code);
+    CHECK_MESSAGE(has(run.err, text), run.err);
+  };
+  refused(mesh, {}, 2,
+          "expected --lattice or --box beside --claim periodic-delaunay, found none: say");
+  refused(mesh, {"--box=0,0,4,4", "--lattice=1,0,0,1"}, 2, "expected no --lattice beside --box");
+  refused(mesh, {"--lattice=1,0,0"}, 3,
+          "a lattice of 2 vectors that span the plane, 4 numbers, found 3");
+  refused(mesh, {"--lattice=1,2,2,4"}, 3,
+          "found vectors that are linearly dependent: give one for each");
+  refused(mesh, {"--box=0,0,0,4,4,4"}, 3, "4 numbers, found 9");
+  refused(mesh, {"--box=0,0,5,5"}, 3, "found points 0 and 1: list one of them");
+  refused(bare, {"--box=0,0,4,4"}, 3,
+          "expected 6 attributes of each cell, the offset of each corner, found 0");
+  CHECK(checked(mesh, "delaunay", {"--lattice=1,0,0,1"}).exit_code == 2);
+  CHECK(run({"campaign", "--claim", "periodic-delaunay", "--", "true", "{points}"}).exit_code == 2);
 }
 
 TEST_CASE("check --claim surface-delaunay: the excess, in words and in JSON") {

@@ -47,7 +47,15 @@ Rational Distance::squared(const std::vector<Point>& points) const {
   return distance * distance;
 }
 
-void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
+const char* const kWithinOfDomains =
+    "Allow for rounded coordinates: judge exactly whether the claim holds for the domain when its "
+    "vertices, segments and polygons may move by at most DISTANCE. This is a number, or a multiple "
+    "of the longest side of the domain's bounding box: 1e-12x is 1e-12 times that side. The "
+    "verdict ends with the distance that was needed. With the claim voronoi: how far a cell may be "
+    "from the exact one";
+
+void add_within_option(CLI::App& command, std::optional<Distance>& distance,
+                       const std::string& meaning) {
   const auto read = [&distance](const CLI::results_t& texts) {
     Distance found;
     if (const std::string fault = read_distance(texts.front(), found); !fault.empty()) {
@@ -56,15 +64,7 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
     distance = found;
     return true;
   };
-  command
-      .add_option(
-          "--within", read,
-          "Allow for rounded coordinates: judge exactly whether the claim holds for the domain "
-          "when its vertices, segments and polygons may move by at most DISTANCE. This is a "
-          "number, or a multiple of the longest side of the domain's bounding box: 1e-12x is "
-          "1e-12 times that side. The verdict ends with the distance that was needed. With the "
-          "claim voronoi: how far a cell may be from the exact one")
-      ->option_text("DISTANCE");
+  command.add_option("--within", read, meaning)->option_text("DISTANCE");
 }
 
 bool may_be_rounded(const Verdict& verdict, DomainKind kind) {

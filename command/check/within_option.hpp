@@ -22,8 +22,10 @@ struct Distance {
   Rational squared(const std::vector<Point>& points) const;
 };
 
-// Adds --within; nothing if it is not given.
-void add_within_option(CLI::App& command, std::optional<Distance>& distance);
+// Adds --within; nothing if it is not given. `meaning`: what the help page says of it.
+extern const char* const kWithinOfDomains;
+void add_within_option(CLI::App& command, std::optional<Distance>& distance,
+                       const std::string& meaning = kWithinOfDomains);
 
 // Is all that is wrong that vertices, segments and polygons of the domain are not in the mesh, or
 // that it is not its convex hull, if it is to be? Then they may have been rounded.

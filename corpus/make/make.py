@@ -15,6 +15,7 @@ import domains
 import files
 import hulls
 import mesh_alone
+import periodic
 import quality
 import reject
 import surfaces
@@ -32,6 +33,7 @@ for name, _, points in inputs():
     files.write_node(target, points, len(points[0]))
 tables.write(entries)
 voronoi.write_all()
+periodic.write_all()
 
 domain_entries = [*domain_accept.entries(), *domain_reject.entries(), *domain_within.entries()]
 domains.write()

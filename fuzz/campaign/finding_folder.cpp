@@ -241,8 +241,12 @@ std::string check_line(const Subject& subject, const Input& minimal, const std::
            (subject.merges_coplanar ? " --merge-coplanar" : "");
   }
   const std::string extension = formats::extension(subject.mesh_name);
-  if (extension == ".ele" || extension == ".qhull-i")
+  const bool is_diagram = subject.claim == Claim::kVoronoi;
+  if (extension == ".ele" || extension == ".qhull-i" || is_diagram)
     line += " --points \"$here/" + stem + ".node\"";
+  if (is_diagram && sign(subject.within) > 0) {
+    line += " --within " + to_string(subject.within) + (subject.is_within_relative ? "x" : "");
+  }
   const std::vector<Point> points = judged_points(minimal)->points;
   const bool repeats = std::set<Point>(points.begin(), points.end()).size() < points.size();
   return line + (repeats ? " --duplicates merge" : "");

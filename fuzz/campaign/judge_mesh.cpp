@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "fuzz/campaign/judge_diagram.hpp"
 #include "inputs/arrangement.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
@@ -18,31 +19,8 @@
 namespace circumspect::campaign {
 namespace {
 
-// How many witnesses a finding carries.
-constexpr std::size_t kWitnesses = 3;
-
-Outcome unreadable(const std::string& message) {
-  return {OutcomeKind::kUnreadable, word(OutcomeKind::kUnreadable), message, message + "\n"};
-}
-
 Outcome other_points(const std::string& message) {
   return {OutcomeKind::kOtherPoints, word(OutcomeKind::kOtherPoints), message, message + "\n"};
-}
-
-Outcome outcome_of(const Verdict& verdict, const Mesh& mesh, const Subject& subject,
-                   const Domain* domain) {
-  if (verdict.holds()) return {OutcomeKind::kHolds};
-  Outcome outcome;
-  outcome.kind = OutcomeKind::kFails;
-  const auto& [rule, tally] = *verdict.tallies().begin();
-  outcome.signature = identifier(rule);
-  if (tally.worst_margin && *tally.worst_margin < exact_value(kRounding)) {
-    outcome.signature += "-rounding";
-  }
-  outcome.text = report::verdict_line(verdict, mesh, subject.mesh_name, domain);
-  outcome.explanation = report::explanation(verdict, mesh, domain);
-  outcome.verdict = report::verdict(verdict, mesh, subject.mesh_name, check::By::kLemma, domain);
-  return outcome;
 }
 
 std::vector<Point> sorted_set(std::vector<Point> points) {
@@ -56,7 +34,7 @@ bool lists_points(const std::string& path) {
   return extension != ".ele" && extension != ".qhull-i";
 }
 
-check::Options options() { return {.max_violations = kWitnesses, .threads = 1}; }
+check::Options options() { return {.max_violations = kWitnessesOfFinding, .threads = 1}; }
 
 // A mesh without simplices, of points of the input.
 Mesh mesh_of_points(const PointsCase& set, std::size_t dimension) {
@@ -253,6 +231,9 @@ std::string reason_to_skip_points(const Subject& subject, const PointsCase& set)
   for (const Point& point : set.points) {
     if (point.size() != subject.dimension) return "the points have another dimension";
   }
+  if (subject.claim == Claim::kVoronoi && (set.points.empty() || !duplicates(set.points).empty())) {
+    return "there are no sites, or some are equal";
+  }
   const bool asked = subject.full_dimension;
   return asked && is_flat(subject, set) ? "the points lie in a hyperplane" : "";
 }
@@ -286,12 +267,35 @@ std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& who
 
 }  // namespace
 
+Outcome unreadable(const std::string& message) {
+  return {OutcomeKind::kUnreadable, word(OutcomeKind::kUnreadable), message, message + "\n"};
+}
+
+Outcome outcome_of(const Verdict& verdict, const Mesh& mesh, const Subject& subject,
+                   const Domain* domain) {
+  if (verdict.holds()) return {OutcomeKind::kHolds};
+  Outcome outcome;
+  outcome.kind = OutcomeKind::kFails;
+  const auto& [rule, tally] = *verdict.tallies().begin();
+  outcome.signature = identifier(rule);
+  if (tally.worst_margin && *tally.worst_margin < exact_value(kRounding)) {
+    outcome.signature += "-rounding";
+  }
+  outcome.text = report::verdict_line(verdict, mesh, subject.mesh_name, domain);
+  outcome.explanation = report::explanation(verdict, mesh, domain);
+  outcome.verdict = report::verdict(verdict, mesh, subject.mesh_name, check::By::kLemma, domain);
+  return outcome;
+}
+
 ComplexCase tidy(const Subject& subject, const ComplexCase& whole) {
   return subject.is_untidy ? ComplexCase{whole.family, arranged(whole.input)} : whole;
 }
 
 Outcome judged(const Subject& subject, const Input& input, const std::string& path) {
-  if (const auto set = judged_points(input)) return judged_set(subject, *set, path);
+  if (const auto set = judged_points(input)) {
+    return subject.claim == Claim::kVoronoi ? judged_diagram(subject, *set, path)
+                                            : judged_set(subject, *set, path);
+  }
   return judged_domain(subject, std::get<ComplexCase>(input), path);
 }
 

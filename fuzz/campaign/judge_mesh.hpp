@@ -6,8 +6,18 @@
 #include "fuzz/campaign/input.hpp"
 #include "fuzz/campaign/outcome.hpp"
 #include "fuzz/campaign/subject.hpp"
+#include "oracle/model/domain.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::campaign {
+
+// How many witnesses a finding carries.
+inline constexpr std::size_t kWitnessesOfFinding = 3;
+
+// What the verdict on a file is to a campaign, and what it is if the file cannot be read.
+Outcome outcome_of(const Verdict& verdict, const Mesh& mesh, const Subject& subject,
+                   const Domain* domain);
+Outcome unreadable(const std::string& message);
 
 // Judges the mesh in the file at `path` against the input that the program was given. Files of
 // simplices alone (.ele, .qhull-i) refer to the points of the input, even if the program changed

@@ -36,6 +36,8 @@ struct Subject {
   // The updates to a worker's structure before it answers; empty: none.
   std::set<generators::UpdateKind> updates = {};
   Claim claim = Claim::kDelaunay;
+  Rational within = 0;              // how far a Voronoi cell may be from the exact one,
+  bool is_within_relative = false;  // perhaps in parts of the longest side of the box of the sites
   std::size_t dimension = 3;
   Vertex first_index = 0;       // of the points of the input
   Fill fill = Fill::kEnclosed;  // for a domain: which part of it must be meshed

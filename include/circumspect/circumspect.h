@@ -194,10 +194,17 @@ typedef struct circumspect_options {
   int64_t require_count;
   const char* const* require;
   const char* except_sharp;
+  /* For "periodic-delaunay", else NULL: the vectors along which the mesh repeats, one after the other; and for
+   * each corner of each simplex, which multiples of them, as many as there are, move its point there. */
+  const double* lattice;  /* d·d */
+  const int64_t* offsets; /* m·vertices_of_simplex·d */
 } circumspect_options;
 
-#define CIRCUMSPECT_OPTIONS \
-  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0, NULL, 0, NULL, NULL }
+#define CIRCUMSPECT_OPTIONS                                                                      \
+  {                                                                                              \
+    sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0, NULL, 0, NULL, NULL, NULL, \
+        NULL                                                                                     \
+  }
 
 typedef struct circumspect_verdict circumspect_verdict;
 

@@ -178,6 +178,28 @@ Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
   return file;
 }
 
+Result<std::vector<Simplex>> read_ele_offsets(const Source& source, std::size_t dimension) {
+  NumberedLines numbered(source, "simplex", "simplices");
+  const Result<EleHeader> header = read_header(numbered);
+  if (!header) return tl::unexpected(header.error());
+  const std::size_t expected = header->vertices * dimension;
+  if (header->attributes != expected) {
+    return numbered.lines().fail(
+        std::to_string(expected) + " attributes of each cell, the offset of each corner",
+        std::to_string(header->attributes));
+  }
+  numbered.expect_columns(1 + header->vertices + expected, "an index, vertices, and offsets");
+  std::vector<Simplex> offsets;
+  while (true) {
+    const Result<bool> more = numbered.next();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return offsets;
+    auto row = numbered.lines().integers(1 + header->vertices, expected, "an integer offset");
+    if (!row) return tl::unexpected(row.error());
+    offsets.push_back(std::move(*row));
+  }
+}
+
 void write_ele(std::ostream& out, const SimplexFile& file) {
   out << std::to_string(file.simplices.size()) + " " + std::to_string(file.vertices_per_simplex) +
              " 0\n";

@@ -46,6 +46,10 @@ void write_node(std::ostream& out, const PointFile& file);
 // Attributes have to be numbers and are otherwise ignored. Indices of simplices are consecutive.
 Result<SimplexFile> read_ele(const Source& source, NumberReading reading = NumberReading::kDouble);
 
+// The attributes of each simplex as integers, `dimension` for each vertex: how a lattice moves it
+// (oracle/model/periodic.hpp). Errors: other attributes.
+Result<std::vector<Simplex>> read_ele_offsets(const Source& source, std::size_t dimension);
+
 // Requires: every simplex has vertices_per_simplex vertices, at least 1.
 void write_ele(std::ostream& out, const SimplexFile& file);
 

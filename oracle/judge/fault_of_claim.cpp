@@ -16,6 +16,9 @@ std::string fault_of_claim(Claim claim, const Mesh& mesh, const Options& options
       return fault_of_surface(mesh);
     case Claim::kVoronoi:
       return "expected the cells of a Voronoi diagram for the claim voronoi, found a mesh";
+    case Claim::kPeriodicDelaunay:
+      if (mesh.copies) return "";
+      return "expected a mesh that a lattice repeats for the claim periodic-delaunay, found none";
     default:
       return "";
   }

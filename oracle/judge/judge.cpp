@@ -14,6 +14,7 @@
 #include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/held_surface.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/periodic/judge_periodic.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
@@ -138,6 +139,7 @@ tl::expected<Verdict, EqualPoints> judged(Claim claim, const Mesh& mesh, const D
     return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
                          options.by == By::kDefinition, options.max_violations);
   }
+  if (claim == Claim::kPeriodicDelaunay) return judge_periodic(mesh, options);
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
   const bool is_about_list = is_about_a_list(claim);

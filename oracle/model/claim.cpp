@@ -14,6 +14,7 @@ constexpr auto kClaims = std::to_array<ClaimEntry>({
     {Claim::kConvexHull, "convex-hull", false, true},
     {Claim::kSurfaceDelaunay, "surface-delaunay", false, true},
     {Claim::kVoronoi, "voronoi", false, true},
+    {Claim::kPeriodicDelaunay, "periodic-delaunay", false, true},
     {Claim::kPlcTriangulation, "plc-triangulation", true},
     {Claim::kSteinerTriangulation, "steiner-triangulation", true},
     {Claim::kCdt, "cdt", true},

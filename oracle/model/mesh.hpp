@@ -9,6 +9,7 @@
 
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/index_lists.hpp"
+#include "oracle/model/periodic.hpp"
 
 namespace circumspect {
 
@@ -66,6 +67,8 @@ struct Mesh {
   std::optional<ListedNeighbors> neighbors = {};
   std::vector<Simplex> faces = {};  // as ExactMesh has them
   AsListed as_listed = {};          // empty unless points were merged (below)
+  // If a lattice repeats the mesh; several points then have one label.
+  std::optional<Copies> copies = {};
 
   std::size_t points() const { return rows_of(coordinates); }
   // How many coordinates a point has.

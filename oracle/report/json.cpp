@@ -33,6 +33,23 @@ Json coordinates_of(const Witness& witness, const Mesh& mesh) {
   return object;
 }
 
+Json points_of(const Simplex& corners, const Mesh& mesh) {
+  Json array = Json::array();
+  for (const Vertex v : corners) {
+    array.push_back(mesh.names(v) ? point(mesh.point(v)) : Json(nullptr));
+  }
+  return array;
+}
+
+// Where the named vertices are, of a mesh whose points are copies: these have the label of a point.
+Json places_of(const Witness& witness, const Mesh& mesh) {
+  Json simplices = Json::array();
+  for (const Simplex& simplex : witness.simplices) simplices.push_back(points_of(simplex, mesh));
+  Json object = {{"simplices", simplices}, {"vertices", points_of(witness.vertices, mesh)}};
+  if (witness.face) object["face"] = points_of(*witness.face, mesh);
+  return object;
+}
+
 // The cell of the domain that a witness names, its vertices with their coordinates.
 Json cell_of(const Witness& witness, const Domain& domain) {
   Json cell = Json::object();
@@ -139,7 +156,11 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   object["values"] = values;
   if (witness.measured) object["measured"] = measured(*witness.measured);
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
-  object["coordinates"] = coordinates_of(witness, mesh);
+  if (mesh.copies) {
+    object["places"] = places_of(witness, mesh);
+  } else {
+    object["coordinates"] = coordinates_of(witness, mesh);
+  }
   for (const auto& [own, left] : named.merged) {
     object["merged"][std::to_string(own)] = left;
     object["coordinates"][std::to_string(own)] = object["coordinates"][std::to_string(left)];

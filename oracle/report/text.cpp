@@ -53,18 +53,31 @@ std::string cell_text(const Witness& witness, const Domain* domain) {
   return text;
 }
 
+// Where corners are that are copies of points, since copies have the label of the point: " at (0, 1)
+// (1, 1)"; nothing of other meshes.
+std::string places_text(const Simplex& corners, const Mesh& mesh) {
+  std::string text;
+  for (const Vertex v : corners) {
+    if (!mesh.copies || !mesh.names(v)) continue;
+    text += (text.empty() ? " at " : " ") + point_text(mesh.point(v));
+  }
+  return text;
+}
+
 void describe(const Violation& violation, const Mesh& mesh, const Domain* domain,
               std::string& out) {
   const Witness& witness = violation.witness;
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "{}: {}\n", identifier(violation.rule), meaning(violation.rule));
   const NamedCells named = named_cells(witness, mesh);
-  for (const Simplex& simplex : named.simplices) {
-    fmt::format_to(to, "  simplex  {}\n", joined(simplex));
+  for (std::size_t i = 0; i < named.simplices.size(); ++i) {
+    fmt::format_to(to, "  simplex  {}{}\n", joined(named.simplices[i]),
+                   places_text(witness.simplices[i], mesh));
   }
   if (named.face) {
-    fmt::format_to(to, "  face     {}\n",
-                   named.face->empty() ? "(the empty one)" : joined(*named.face));
+    fmt::format_to(to, "  face     {}{}\n",
+                   named.face->empty() ? "(the empty one)" : joined(*named.face),
+                   places_text(*witness.face, mesh));
   }
   for (const auto& [own, left] : named.merged) {
     fmt::format_to(to, "  equal    points {} and {}\n", own, left);

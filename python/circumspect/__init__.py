@@ -21,6 +21,7 @@ from .campaigns import Campaign, Finding, campaign, minimize
 from .domains import Domain, default_claim, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
 from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of
+from .periodic import periodic_of
 from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
 
@@ -36,7 +37,7 @@ __all__ = [
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
           by: str = "lemma", oriented: bool = False, demands: Any = (), duplicates: str = "reject", allow_empty: bool = False,
-          require: Any = (), except_sharp: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
+          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, limit: Optional[float] = None, copy: bool = True,
           name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
@@ -47,7 +48,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     claim: "triangulation", "delaunay" (the default), "weighted-delaunay", "complex" (do the cells fit together,
         whatever they fill, be they full cells, a surface in space or edges?), "convex-hull" (are these the facets of
         the convex hull? in the plane also a list of vertices in their cyclic order), "surface-delaunay" (is a surface
-        of triangles intrinsically Delaunay?); with a domain "plc-triangulation",
+        of triangles intrinsically Delaunay?), "periodic-delaunay" (are the cells, repeated by a lattice, Delaunay?);
+        with a domain "plc-triangulation",
         "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has the
         points of the domain, else "steiner-cdt").
     neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
@@ -67,6 +69,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         sqrt(2)", or a list of them; as `check --require` of the command.
     except_sharp: an angle such as "60deg"; simplices that touch both sides of a sharper one of the domain (without
         one, of the boundary of the mesh) are set aside.
+    lattice, offsets: for "periodic-delaunay". (d, d) doubles, the vectors along which the mesh repeats, or d numbers, the
+        edges of a box; and (m, d+1, d) integers, which multiples of them move the point of each corner there.
     limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
     copy: False judges arrays of doubles and of 32 or 64 bit integers in C order in place. They must then not change
         before the call returns, or the verdict means nothing or the process crashes. Read-only arrays are never
@@ -102,11 +106,12 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     elif within is not None:
         raise ValueError("expected a domain beside within, found None")
     claim = claim or "delaunay"
+    repeated = periodic_of(claim, mesh, lattice, offsets)
     words = demands if isinstance(demands, str) else " ".join(demands)
     distance = None if within is None else number_text(within, "a distance")
     return Verdict(claim, _core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
                                       by == "definition", oriented, merge, allow_empty, distance, words, name,
-                                      seconds_of(limit), False, requirements_of(require), except_sharp))
+                                      seconds_of(limit), False, requirements_of(require), except_sharp, *repeated))
 
 
 def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), *, within: Any = 0,

@@ -43,7 +43,8 @@ const std::vector<Row>& rows() {
 
 Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge) {
   Causes all;
-  if (verdict.holds()) return all;
+  // What is mended is not unfolded.
+  if (verdict.holds() || mesh.copies) return all;
   Case of(verdict, mesh, judge);
   for (const Row& row : rows()) {
     const bool is_broken = std::any_of(row.explains.begin(), row.explains.end(),

@@ -1,0 +1,39 @@
+// The facets of cells that a lattice repeats: facets of which one is the other, moved, are one.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "oracle/model/periodic.hpp"
+
+namespace circumspect::check {
+
+// A listed point and the multiples of the vectors by which it is moved.
+struct MovedPoint {
+  Vertex point;
+  Simplex offset;
+  auto operator<=>(const MovedPoint&) const = default;
+};
+using PeriodicCell = std::vector<MovedPoint>;
+
+Simplex sum(const Simplex& a, const Simplex& b);
+Simplex difference(const Simplex& a, const Simplex& b);
+
+// Where a facet is: opposite a corner of a cell, and how far from where `key` has its first vertex.
+struct FacetPlace {
+  PeriodicCell key;  // ascending, the first without an offset
+  std::size_t cell;
+  std::size_t opposite;
+  Simplex moved;
+};
+
+// All of them, by key and then by cell.
+// Requires: cells of two corners or more, of which no two are the same.
+std::vector<FacetPlace> facet_places(const std::vector<PeriodicCell>& cells);
+
+// Calls `visit` with the places of each facet.
+void for_each_facet(const std::vector<FacetPlace>& places,
+                    const std::function<void(std::span<const FacetPlace>)>& visit);
+
+}  // namespace circumspect::check
