@@ -207,6 +207,18 @@ TEST_CASE("causes: a simplex that is missing, inside and at the hull") {
   CHECK(named(corner, Claim::kDelaunay) == "none");  // two triangles each: no hole of one
 }
 
+TEST_CASE("causes: a mesh that is folded has not the points of another one") {
+  Lists folded = grid<2>(7);
+  for (Point& point : folded.points) {
+    if (point[0] <= 3) continue;
+    point[1] += point[0] / 1000;
+    point[0] = 6 - point[0];
+  }
+  for (const Claim claim : {Claim::kTriangulation, Claim::kComplex}) {
+    CHECK(!named(folded, claim).starts_with("points-of-another-mesh"));
+  }
+}
+
 TEST_CASE("causes: a part that is left out on purpose is not missing") {
   // Of a ring around a square hole, no triangle is.
   Lists ring = grid<2>(5);
