@@ -193,6 +193,17 @@ TEST_CASE("gmsh in binary: what is read over may end without a line end, names a
   }
 }
 
+TEST_CASE("gmsh: a message shows the beginning alone of a section's long name") {
+  const std::string name(3000, '\1');
+  const std::string header = "$MeshFormat\n2.2 1 8\n" + std::string("\1\0\0\0", 4) + "\n";
+  for (const std::string& text :
+       {kHeader2 + "$" + name, header + "$EndMeshFormat\n$" + name + "\n\1$End" + name + "\n"}) {
+    const std::string message = error_of(gmsh(text));
+    CHECK(has_part(message, "$\\x01\\x01"));
+    CHECK_MESSAGE(message.size() < 600, message);
+  }
+}
+
 TEST_CASE("gmsh: lines outside the sections are skipped, as Gmsh skips them, with a note") {
   const std::string elements = "$Elements\n1\n1 1 0 1 2\n$EndElements";
   const auto behind = gmsh(kHeader2 + kNodes2 + elements + "\n\nShow \"*\"; $Nodes\r\nMore\n");

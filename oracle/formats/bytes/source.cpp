@@ -32,6 +32,10 @@ std::string quote(std::string_view bytes) {
   return text + "\"";
 }
 
+std::string shortened(std::string_view bytes) {
+  return std::string(bytes.substr(0, kLongestQuote)) + (bytes.size() > kLongestQuote ? "..." : "");
+}
+
 // ---- Source ----
 
 namespace {
