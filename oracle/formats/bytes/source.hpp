@@ -52,6 +52,9 @@ Result<Source> load(const std::string& path);
 // Is there a file, of whatever kind, at this path?
 bool exists(const std::string& path);
 
+// Is there a folder at this path?
+bool is_folder(const std::string& path);
+
 // Is it a regular file, and not a pipe, device or folder?
 bool is_regular(const std::string& path);
 
