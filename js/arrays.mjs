@@ -1,0 +1,106 @@
+// What scripts have of points and simplices, as flat arrays. Nothing is rounded on the way.
+
+const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+const shown = (value) => {
+  const text = typeof value === 'bigint' ? `${value}n` : typeof value === 'string' ? JSON.stringify(value) : String(value);
+  return text.length > 60 ? `${text.slice(0, 57)}...` : text;
+};
+
+export class Numbers {
+  // Finite doubles, or texts if some number may not be a double: strings such as "1/3", and BigInts.
+  constructor(doubles, texts, columns) { Object.assign(this, { doubles, texts, columns }); }
+  get length() { return (this.doubles ?? this.texts).length; }
+  get rows() { return this.columns === 0 ? 0 : this.length / this.columns; }
+}
+
+function refuseDetached(array, what) {
+  if (ArrayBuffer.isView(array) && array.length === 0 && array.buffer.byteLength === 0 && array.buffer.detached === true) {
+    throw new TypeError(`expected ${what}, found an array whose buffer was detached: transfer a copy, or ask before the transfer`);
+  }
+}
+
+// Rows of numbers, nested or flat; `columns`: of flat ones.
+function flat(values, what, columns) {
+  refuseDetached(values, what);
+  if (!isArray(values)) throw new TypeError(`expected ${what} as an array, found ${shown(values)}`);
+  if (values.length === 0 || !isArray(values[0])) {
+    if (columns === undefined) {
+      throw new TypeError(`expected ${what} as rows, or flat with the option that says how long a row is, found a flat array`);
+    }
+    if (values.length % columns !== 0) {
+      throw new RangeError(`expected ${what} in rows of ${columns}, found ${values.length} numbers`);
+    }
+    return { all: values, columns };
+  }
+  const width = values[0].length;
+  const all = [];
+  for (let i = 0; i < values.length; ++i) {
+    if (!isArray(values[i]) || values[i].length !== width) {
+      throw new RangeError(`expected ${what} in rows of ${width}, found row ${i} of ${isArray(values[i]) ? values[i].length : shown(values[i])}`);
+    }
+    for (let k = 0; k < width; ++k) all.push(values[i][k]);
+  }
+  return { all, columns: width };
+}
+
+export function numbersOf(values, what, columns) {
+  const { all, columns: width } = flat(values, what, columns);
+  if (all instanceof Float64Array || all instanceof Float32Array) return new Numbers(all, null, width);
+  let areDoubles = true;
+  for (let i = 0; i < all.length; ++i) {
+    const type = typeof all[i];
+    if (type === 'number') continue;
+    if (type !== 'string' && type !== 'bigint') {
+      throw new TypeError(`expected numbers, BigInts or texts such as "1/3" as ${what}, found ${shown(all[i])}`);
+    }
+    areDoubles = false;
+  }
+  if (areDoubles) return new Numbers(Float64Array.from(all), null, width);
+  return new Numbers(null, Array.from(all, exactText), width);
+}
+
+// A double as a text of the same value: decimals of it would be read as what they say, 0.1 as 1/10.
+function exactText(value) {
+  if (typeof value !== 'number') return String(value);
+  if (!Number.isFinite(value)) return String(value);
+  let numerator = value;
+  let exponent = 0;
+  while (!Number.isInteger(numerator)) {
+    numerator *= 2;
+    ++exponent;
+  }
+  return exponent === 0 ? BigInt(numerator).toString() : `${BigInt(numerator)}/${1n << BigInt(exponent)}`;
+}
+
+// Indices of points; what is no 32-bit integer is refused, what names no point is the library's to report.
+export function indicesOf(values, what, columns) {
+  const { all, columns: width } = flat(values, what, columns);
+  if (all instanceof Int32Array || all instanceof Int16Array || all instanceof Uint16Array || all instanceof Uint8Array) {
+    return { indices: all, columns: width };
+  }
+  const indices = new Int32Array(all.length);
+  for (let i = 0; i < all.length; ++i) {
+    const index = Number(all[i]);
+    if (!Number.isInteger(index) || index !== (index | 0)) {
+      throw new RangeError(`expected indices of points as ${what}, found ${shown(all[i])}`);
+    }
+    indices[i] = index;
+  }
+  return { indices, columns: width };
+}
+
+// Points and simplices of what libraries return: Delaunator and d3-delaunay, or an object that has both.
+export function partsOf(mesh) {
+  if (mesh === null || typeof mesh !== 'object' || isArray(mesh)) {
+    throw new TypeError(`expected points and simplices, or an object that has both, found ${shown(mesh)}`);
+  }
+  const points = mesh.points ?? mesh.coords ?? mesh.vertices ?? mesh.positions;
+  const simplices = mesh.simplices ?? mesh.triangles ?? mesh.tetrahedra ?? mesh.cells;
+  if (!isArray(points) || !isArray(simplices)) {
+    throw new TypeError('expected an object with points (or coords, vertices, positions) and simplices (or triangles, ' +
+      `tetrahedra, cells), found one with ${Object.keys(mesh).slice(0, 8).join(', ') || 'nothing'}`);
+  }
+  // Those of Delaunator and d3 are flat, and in the plane.
+  const isFlat = points.length === 0 || !isArray(points[0]);
+  return { points, simplices, dimension: mesh.dimension ?? (isFlat && mesh.triangles ? 2 : undefined), weights: mesh.weights };
+}
