@@ -1,8 +1,9 @@
 #!/bin/bash
 # What the GitHub Action (action.yml) does:
 #   CIRCUMSPECT_RUN=check CIRCUMSPECT_ARGUMENTS='mesh.1.ele' CIRCUMSPECT_OUTPUT=report action/run.sh
-# The command is CIRCUMSPECT_COMMAND, or is in the archive CIRCUMSPECT_TARBALL, or is built from these sources. The exit
-# code is the command's. CIRCUMSPECT_OUTPUT gets junit.xml and report.sarif; a campaign also puts its findings there.
+# The command is CIRCUMSPECT_COMMAND, or is in the archive CIRCUMSPECT_TARBALL, or is built from
+# these sources. The exit code is the command's. CIRCUMSPECT_OUTPUT gets junit.xml and report.sarif;
+# a campaign also puts its findings there.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -38,7 +39,8 @@ elif [ -z "$command" ]; then
 fi
 [ -x "$command" ] || fail "expected the command at $command, found none"
 
-# The user's own words, as a shell splits them, and nothing that they could start: no $ and no ` is looked at.
+# The user's own words, as a shell splits them, and nothing that they could start: no $ and no ` is
+# looked at.
 words=$(xargs -r -n1 printf '%s\n' <<<"${CIRCUMSPECT_ARGUMENTS:-}") ||
   fail "expected words and whole quotes in the input 'arguments', found: ${CIRCUMSPECT_ARGUMENTS:-}"
 [ -n "$words" ] || fail "expected what stands behind 'circumspect $run' in the input 'arguments', found nothing"

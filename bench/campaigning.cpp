@@ -151,7 +151,8 @@ campaign::Plan drawing(campaign::Plan plan) {
   return plan;
 }
 
-// Returns whether the campaign is fast enough. Minima, for other work on the machine only ever adds.
+// Returns whether the campaign is fast enough. Minima, for other work on the machine only ever
+// adds.
 bool time_one(const std::string& inputs_name, const campaign::Plan& plan) {
   const std::vector<campaign::Input> inputs = inputs_of(plan);
   double least_alone = std::numeric_limits<double>::max();

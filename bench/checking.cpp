@@ -126,7 +126,8 @@ Cost cost_of(const std::string& claim, const MeshArrays<std::int32_t>& mesh) {
   return cost;
 }
 
-// What -C or -CC costs TetGen: it reads the files, and builds its mesh of them, with and without it.
+// What -C or -CC costs TetGen: it reads the files, and builds its mesh of them, with and without
+// it.
 struct TetgenTime {
   double seconds = 0;  // 0 if there is nothing to compare with
   std::string why_not = {};
@@ -240,7 +241,8 @@ std::vector<Fault> faults() {
        }}};
 }
 
-// A mesh with one fault after the other, against the same mesh when it holds. Throws if one is not found fast.
+// A mesh with one fault after the other, against the same mesh when it holds. Throws if one is not
+// found fast.
 void print_failing(const std::string& name, const Arrays& good) {
   fmt::print("\n{}, points and simplices only, with something wrong: one thread\n\n", name);
   fmt::print(

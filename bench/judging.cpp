@@ -43,8 +43,8 @@ SimplexArray right_answer(const generators::PointsCase& set) {
   return simplices;
 }
 
-// Returns whether it is fast enough. The answers are made beforehand: a program's own time is not that
-// of the harness.
+// Returns whether it is fast enough. The answers are made beforehand: a program's own time is not
+// that of the harness.
 bool time_one(const Row& row) {
   const auto families = harness::chosen_families({}, row.dimension, false);
   const auto drawn = [&](std::uint64_t index) {
@@ -101,7 +101,8 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// Rows of numbers, each after its index, up to `columns` of them. The first row says how many there are.
+// Rows of numbers, each after its index, up to `columns` of them. The first row says how many there
+// are.
 template <typename Number>
 std::vector<Number> read_rows(const std::string& file, int columns) {
   std::ifstream in(file);

@@ -1,5 +1,5 @@
-// Prints the tables of docs/performance.md. With arguments, only the algorithms whose name contains the
-// first one; of the table of `check` only the rows whose name contains the second:
+// Prints the tables of docs/performance.md. With arguments, only the algorithms whose name contains
+// the first one; of the table of `check` only the rows whose name contains the second:
 //
 //     circumspect_bench check sphere
 //

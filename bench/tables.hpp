@@ -20,8 +20,8 @@ int time_constrained(const std::string& wanted);
 
 // ---- A harness in process: drawing small inputs and judging answers ----
 
-// Prints a table of those whose name contains `wanted`; returns how many judged fewer cases a second
-// than they must.
+// Prints a table of those whose name contains `wanted`; returns how many judged fewer cases a
+// second than they must.
 int time_judging(const std::string& wanted);
 
 // ---- Campaigns: what they cost beside the program that they run ----
@@ -33,15 +33,15 @@ struct Program {
   std::string mesh = "x.1.ele";
 };
 
-// Prints a table of those whose name contains `wanted`; returns how many campaigns took longer than they
-// may. Without the program, a line that says so, and 0.
+// Prints a table of those whose name contains `wanted`; returns how many campaigns took longer than
+// they may. Without the program, a line that says so, and 0.
 int time_campaigns(const std::string& wanted, const Program& program);
 
 // ---- Judging a mesh in arrays, beside what the checks of CGAL and TetGen take ----
 
 // Prints a table of nanoseconds a tetrahedron, if "check" contains `wanted`; "check-large": with
-// 10^7 points too. Only the rows whose names contain `row`. Then the goals, met or missed. Throws if a
-// mesh of CGAL's is not found right.
+// 10^7 points too. Only the rows whose names contain `row`. Then the goals, met or missed. Throws
+// if a mesh of CGAL's is not found right.
 void time_checking(const std::string& wanted, const std::string& row);
 
 // Processor time: other programs on the machine do not count.
@@ -92,8 +92,9 @@ RunTime run(const std::vector<std::string>& command);
 // Writes `stem`.node and `stem`.ele.
 void write_mesh(const std::string& stem, const Arrays& mesh);
 
-// What `tetgen -pYq1.4a0.000005` makes of a cube with a folded surface of 2·side² triangles in its middle:
-// the triangles stay, so it is not Delaunay. Empty if TetGen is not there. Leaves files in the folder.
+// What `tetgen -pYq1.4a0.000005` makes of a cube with a folded surface of 2·side² triangles in its
+// middle: the triangles stay, so it is not Delaunay. Empty if TetGen is not there. Leaves files in
+// the folder.
 Arrays constrained_mesh(const std::string& folder, int side);
 
 // ---- Constructions that are compared ----

@@ -2,7 +2,8 @@
 import subprocess
 import sys
 
-# Runs a command and says on standard error what it took: a process of little memory, since a new one begins with its parent's.
+# Runs a command and says on standard error what it took: a process of little memory, since a new
+# one begins with its parent's.
 SPAWN = """import os, sys
 pid = os.posix_spawn(sys.argv[1], sys.argv[1:], os.environ, file_actions=[(os.POSIX_SPAWN_OPEN, 2, "/dev/null", os.O_WRONLY, 0)])
 _, status, usage = os.wait4(pid, 0)

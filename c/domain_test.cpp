@@ -15,59 +15,39 @@ namespace {
 const std::vector<double> kNested = {0, 0, 3, 0, 3, 3, 0, 3, 1, 1, 2, 1, 2, 2, 1, 2};
 const std::vector<std::int64_t> kLoops = {0, 1, 1, 2, 2, 3, 3, 0, 4, 7, 7, 6, 6, 5, 5, 4};
 
-circumspect_domain nested() {
-  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
-  domain.dimension = 2;
-  domain.point_count = 8;
-  domain.coordinates = kNested.data();
-  domain.segment_count = 8;
-  domain.segments = kLoops.data();
-  return domain;
-}
-
-// How many triangles its triangulation has; −1 if the call is refused.
-std::int64_t triangles_of(const circumspect_domain& domain) {
-  circumspect_triangulation* built = nullptr;
-  if (circumspect_constrained_delaunay(&domain, &built) != CIRCUMSPECT_OK) return -1;
-  const std::int64_t count = circumspect_triangulation_simplices(built, 3, nullptr);
-  circumspect_triangulation_free(built);
-  return count;
-}
+circumspect_domain nested() { return of_segments(kNested, kLoops); }
 
 TEST_CASE("what is filled is as the kind says, or the regions") {
   circumspect_domain domain = nested();
-  CHECK(triangles_of(domain) == 10);
+  CHECK(simplices_in(domain) == 10);
   for (const circumspect_domain_kind kind : {CIRCUMSPECT_EVEN_ODD, CIRCUMSPECT_WINDING}) {
     domain.kind = kind;
-    CHECK(triangles_of(domain) == 8);
+    CHECK(simplices_in(domain) == 8);
   }
   const std::vector<std::int64_t> same_way = {0, 1, 1, 2, 2, 3, 3, 0, 4, 5, 5, 6, 6, 7, 7, 4};
   domain.segments = same_way.data();
-  CHECK(triangles_of(domain) == 10);
+  CHECK(simplices_in(domain) == 10);
   domain.kind = CIRCUMSPECT_EVEN_ODD;
-  CHECK(triangles_of(domain) == 8);
+  CHECK(simplices_in(domain) == 8);
   domain = nested();
   const double inside[] = {1.5, 1.25};
   domain.region_count = 1;
   domain.region_seeds = inside;
-  CHECK(triangles_of(domain) == 2);
+  CHECK(simplices_in(domain) == 2);
   const char* const between[] = {"1/3", "1/3"};
   domain.region_seeds = nullptr;
   domain.exact_region_seeds = between;
-  CHECK(triangles_of(domain) == 8);
+  CHECK(simplices_in(domain) == 8);
   // A program compiled before there were regions has none.
   domain.struct_size = offsetof(circumspect_domain, region_count);
-  CHECK(triangles_of(domain) == 10);
+  CHECK(simplices_in(domain) == 10);
 }
 
 TEST_CASE("kinds and regions that make no sense are refused") {
   const auto refused = [](auto change, circumspect_status expected, const std::string& message) {
     circumspect_domain domain = nested();
     change(domain);
-    circumspect_triangulation* built = nullptr;
-    CHECK(circumspect_constrained_delaunay(&domain, &built) == expected);
-    INFO(circumspect_last_error());
-    CHECK(has(circumspect_last_error(), message));
+    check_refused(domain, expected, message);
   };
   static const double outside[] = {9, 9};
   static const double on_wall[] = {1.5, 0};
@@ -104,14 +84,7 @@ TEST_CASE("polygons of one plane are one, where that is asked for") {
   const std::vector<std::int64_t> starts = {0, 1, 2, 3, 4, 5};
   const std::vector<std::int64_t> lines = {0, 3, 6, 9, 12, 16};
   const std::vector<std::int64_t> corners = {0, 1, 4, 0, 4, 2, 0, 1, 3, 0, 2, 3, 1, 4, 2, 3};
-  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
-  domain.dimension = 3;
-  domain.point_count = 5;
-  domain.coordinates = points.data();
-  domain.polygon_count = 5;
-  domain.polygon_starts = starts.data();
-  domain.line_starts = lines.data();
-  domain.corners = corners.data();
+  circumspect_domain domain = of_polygons(points, starts, lines, corners);
   circumspect_mesh mesh = CIRCUMSPECT_MESH;
   const std::vector<std::int32_t> one = {0, 1, 4, 3};
   mesh.dimension = 3;

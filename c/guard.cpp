@@ -95,6 +95,8 @@ circumspect_status status_of_exception() noexcept {
 
 }  // namespace circumspect::c
 
+const char* circumspect_version(void) { return CIRCUMSPECT_VERSION; }
+
 const char* circumspect_last_error(void) { return circumspect::c::last_error; }
 
 void circumspect_end_calls_after(double seconds, const int32_t* stop) {

@@ -133,6 +133,13 @@ Mesh mesh_of(const circumspect_mesh& mesh, bool weighted) {
   return taken;
 }
 
+Mesh points_of(const circumspect_mesh* points) {
+  circumspect_mesh alone = *required(points, "a mesh");
+  alone.simplex_count = alone.triangle_count = alone.edge_count = 0;
+  alone.neighbors = nullptr;
+  return mesh_of(alone, true);
+}
+
 void refuse_empty(const Mesh& mesh, const char* what_to_do) {
   if (mesh.points() > 0 || !mesh.simplices.empty() || !mesh.faces.empty()) return;
   refuse_input(fmt::format(

@@ -38,6 +38,9 @@ void take_faces(const std::int64_t* indices, std::int64_t count, std::int64_t ve
 // functions refuse anything that the header does not allow.
 Mesh mesh_of(const circumspect_mesh& mesh, bool weighted);
 
+// Its points without its simplices; weights count.
+Mesh points_of(const circumspect_mesh* points);
+
 // Refuses a mesh without points and simplices: usually a program wrote nothing.
 void refuse_empty(const Mesh& mesh, const char* what_to_do = "");
 // Refuses a mesh that has equal points, which are `repeated`.

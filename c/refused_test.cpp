@@ -102,61 +102,86 @@ TEST_CASE("calls that are wrong are refused, and say what was expected") {
   CHECK(has(circumspect_last_error(), "points of dimension 3, as those of the domain, found 2"));
 }
 
-TEST_CASE("whatever the members hold, the answer is a status") {
-  std::mt19937_64 random(20260101);
-  const auto one_of = [&](auto... choices) {
-    const std::array<std::common_type_t<decltype(choices)...>, sizeof...(choices)> all = {
-        choices...};
-    return all[random() % all.size()];
-  };
-  // No count that is accepted is larger than the arrays.
-  const std::int64_t least = std::numeric_limits<std::int64_t>::min();
-  const std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  const auto count = [&] {
-    return one_of(std::int64_t{-1}, 0, 1, 2, 3, 4, 4, least, most, most / 8);
-  };
-  std::vector<double> numbers(64);
-  std::vector<std::int64_t> indices(64);
-  std::size_t judged = 0;
-  for (int round = 0; round < 4000; ++round) {
-    for (double& x : numbers) x = one_of(0.0, 1.0, 2.0, 0.5, -1.0, 1e308, 5e-324);
-    if (random() % 8 == 0) numbers[random() % 8] = one_of(HUGE_VAL, std::nan(""));
-    for (std::int64_t& v : indices) v = one_of(std::int64_t{0}, 1, 2, 3, 3, -1, most, least);
+// Structs whose members hold anything. No count that is accepted is larger than the arrays.
+class AnyMembers {
+ public:
+  template <class... Choices>
+  auto one_of(Choices... choices) {
+    const std::array<std::common_type_t<Choices...>, sizeof...(choices)> all = {choices...};
+    return all[random_() % all.size()];
+  }
+
+  void draw_arrays() {
+    for (double& x : numbers_) x = one_of(0.0, 1.0, 2.0, 0.5, -1.0, 1e308, 5e-324);
+    if (one_of(0, 1, 2, 3, 4, 5, 6, 7) == 0) {
+      numbers_[one_of(0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U)] = one_of(HUGE_VAL, std::nan(""));
+    }
+    for (std::int64_t& v : indices_) v = one_of(std::int64_t{0}, 1, 2, 3, 3, -1, kMost, kLeast);
+    starts_ = {0, one_of(std::int64_t{1}, 1, 1, -1), 2, 3, one_of(std::int64_t{4}, 4, 4, kMost)};
+    lines_ = {0, 3, one_of(std::int64_t{6}, 6, 6, kMost), 9, 12};
+  }
+
+  circumspect_mesh mesh() {
     circumspect_mesh mesh = CIRCUMSPECT_MESH;
-    mesh.dimension = one_of(std::int64_t{2}, 2, 2, 3, 1, 0, most);
+    mesh.dimension = one_of(std::int64_t{2}, 2, 2, 3, 1, 0, kMost);
     mesh.point_count = count();
     mesh.coordinates =
-        one_of(numbers.data(), numbers.data(), numbers.data(), static_cast<double*>(nullptr));
-    mesh.weights = one_of(numbers.data(), static_cast<double*>(nullptr));
+        one_of(numbers_.data(), numbers_.data(), numbers_.data(), static_cast<double*>(nullptr));
+    mesh.weights = one_of(numbers_.data(), static_cast<double*>(nullptr));
     mesh.simplex_count = count();
     mesh.vertices_of_simplex = one_of(std::int64_t{3}, 3, 3, 2, 4, 0, -2);
     mesh.index_bytes = one_of(std::int64_t{4}, 8, 8, 3);
-    mesh.simplices = one_of(indices.data(), indices.data(), static_cast<std::int64_t*>(nullptr));
-    mesh.neighbors = one_of(indices.data(), static_cast<std::int64_t*>(nullptr));
-    mesh.edge_count = one_of(std::int64_t{0}, 2, -1, most);
-    mesh.edges = indices.data();
+    mesh.simplices = one_of(indices_.data(), indices_.data(), static_cast<std::int64_t*>(nullptr));
+    mesh.neighbors = one_of(indices_.data(), static_cast<std::int64_t*>(nullptr));
+    mesh.edge_count = one_of(std::int64_t{0}, 2, -1, kMost);
+    mesh.edges = indices_.data();
+    return mesh;
+  }
+
+  circumspect_domain domain() {
     circumspect_domain domain = CIRCUMSPECT_DOMAIN;
     domain.dimension = one_of(std::int64_t{2}, 3);
     domain.point_count = count();
-    domain.coordinates = numbers.data();
+    domain.coordinates = numbers_.data();
     domain.segment_count = count();
-    domain.segments = indices.data();
-    const std::vector<std::int64_t> starts = {0, one_of(std::int64_t{1}, 1, 1, -1), 2, 3,
-                                              one_of(std::int64_t{4}, 4, 4, most)};
-    const std::vector<std::int64_t> lines = {0, 3, one_of(std::int64_t{6}, 6, 6, most), 9, 12};
+    domain.segments = indices_.data();
     domain.polygon_count = domain.dimension == 3 ? one_of(std::int64_t{4}, 1, 0, -1) : 0;
-    domain.polygon_starts = starts.data();
-    domain.line_starts = lines.data();
-    domain.corners = indices.data();
-    domain.polygon_hole_count = one_of(std::int64_t{0}, 0, 1, 2, -1, most);
-    domain.polygons_of_holes = indices.data();
-    domain.polygon_hole_seeds = numbers.data();
+    domain.polygon_starts = starts_.data();
+    domain.line_starts = lines_.data();
+    domain.corners = indices_.data();
+    domain.polygon_hole_count = one_of(std::int64_t{0}, 0, 1, 2, -1, kMost);
+    domain.polygons_of_holes = indices_.data();
+    domain.polygon_hole_seeds = numbers_.data();
+    return domain;
+  }
+
+ private:
+  static constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+  static constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+
+  std::int64_t count() {
+    return one_of(std::int64_t{-1}, 0, 1, 2, 3, 4, 4, kLeast, kMost, kMost / 8);
+  }
+
+  std::mt19937_64 random_{20260101};
+  std::vector<double> numbers_ = std::vector<double>(64);
+  std::vector<std::int64_t> indices_ = std::vector<std::int64_t>(64);
+  std::vector<std::int64_t> starts_, lines_;
+};
+
+TEST_CASE("whatever the members hold, the answer is a status") {
+  AnyMembers any;
+  std::size_t judged = 0;
+  for (int round = 0; round < 4000; ++round) {
+    any.draw_arrays();
+    const circumspect_mesh mesh = any.mesh();
+    const circumspect_domain domain = any.domain();
     circumspect_options options = CIRCUMSPECT_OPTIONS;
-    options.with_pictures = one_of(0, 1);
-    const bool with_domain = random() % 3 == 0;
+    options.with_pictures = any.one_of(0, 1);
+    const bool with_domain = any.one_of(true, false, false);
     circumspect_verdict* verdict = nullptr;
     const circumspect_status status = circumspect_check(
-        with_domain ? "cdt" : one_of("delaunay", "weighted-delaunay", "triangulation"), &mesh,
+        with_domain ? "cdt" : any.one_of("delaunay", "weighted-delaunay", "triangulation"), &mesh,
         with_domain ? &domain : nullptr, &options, &verdict);
     CHECK(status != CIRCUMSPECT_INTERNAL_ERROR);
     CHECK((status == CIRCUMSPECT_OK) == (verdict != nullptr));

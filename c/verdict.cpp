@@ -16,7 +16,9 @@
 #include "c/guard.hpp"
 #include "c/input.hpp"
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
@@ -147,9 +149,9 @@ Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const D
     refuse_call(fmt::format("expected a distance of at least 0 for `within`, found '{}'",
                             on_one_line(within)));
   }
-  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  auto verdict = check::judge_within(claim, exact(mesh), domain, *distance * *distance, options,
-                                     known ? &*known : nullptr);
+  const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
+  auto verdict = check::judge_within(claim, asked.exact, domain, *distance * *distance, options,
+                                     asked.known());
   if (verdict) return std::move(*verdict);
   const auto& [reason, is_input_fault] = verdict.error();
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};

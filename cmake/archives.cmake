@@ -2,8 +2,8 @@
 #   circumspect::check    judges arrays: <circumspect/judgement.hpp>, <circumspect/check.hpp>
 #   circumspect::harness  that, and what draws inputs: all of <circumspect/...> for C++
 #   circumspect::c        <circumspect/circumspect.h>, a shared library with C symbols alone
-# The first two are one archive of layers each. What they ask of their users are the headers, C++20 and the libraries
-# behind them; the flags with which the layers are compiled are nobody else's.
+# The first two are one archive of layers each. What they ask of their users are the headers, C++20
+# and the libraries behind them; the flags with which the layers are compiled are nobody else's.
 
 include(GNUInstallDirs)
 
@@ -55,11 +55,20 @@ circumspect_add_archive(circumspect_check_archive check circumspect-check
 set(harness_layers)
 circumspect_layers_behind(circumspect_harness harness_layers)
 list(REMOVE_ITEM harness_layers ${check_layers})
+# What judges must not call what builds: no layer of the book is linked, by however many steps.
+foreach(layer IN LISTS check_layers harness_layers)
+  get_target_property(folder ${layer} CIRCUMSPECT_FOLDER)
+  if(folder MATCHES "^reference(/|$)")
+    message(FATAL_ERROR "expected judges and harness without the book, found that they link ${layer} (${folder}): "
+                        "see DEPENDS of their layers in CMakeLists.txt")
+  endif()
+endforeach()
 circumspect_add_archive(circumspect_archive harness circumspect-harness
   LAYERS ${harness_layers}
   LINKS circumspect_check_archive)
 
-# circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file MAP names.
+# circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file
+# MAP names.
 function(circumspect_show_only target map)
   target_link_options(${target} PRIVATE "LINKER:--version-script=${map}")
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${map}")

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Configures for another machine, and reads in the build's commands that none of what it compiles is run here:
+# Configures for another machine, and reads in the build's commands that none of what it compiles is
+# run here:
 #   cmake/cross_test.sh
 # The compiler is this machine's: nothing is built. `make ports` cross-compiles and links for arm64.
 set -euo pipefail
@@ -15,7 +16,8 @@ fail() {
 
 printf 'set(CMAKE_SYSTEM_NAME Linux)\nset(CMAKE_SYSTEM_PROCESSOR elsewhere)\n' >"$work/elsewhere.cmake"
 
-# runs ARGUMENT…: the programs of the build itself that it runs when it makes the command, one a line
+# runs ARGUMENT…: the programs of the build itself that it runs when it makes the command, one a
+# line
 runs() {
   rm -rf "$work/build"
   cmake -S "$root" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCIRCUMSPECT_BUILD_TESTS=OFF \

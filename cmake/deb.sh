@@ -1,7 +1,8 @@
 #!/bin/bash
 # Builds the Debian packages, and has lintian look at them:
 #   cmake/deb.sh FOLDER
-# The packages, and the copy of the sources that they are built in, are then in FOLDER, such as build/deb.
+# The packages, and the copy of the sources that they are built in, are then in FOLDER, such as
+# build/deb.
 set -euo pipefail
 
 folder=${1:?usage: cmake/deb.sh FOLDER}

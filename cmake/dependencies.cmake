@@ -12,20 +12,22 @@ macro(circumspect_find_package package target)
   endif()
 endmacro()
 
-# For one file that runs on any Linux: archives instead of libraries. Debian has none of {fmt}, whose headers do,
-# and none of oneTBB, whose place plain threads take (oracle/judge/fast/in_chunks.cpp).
+# For one file that runs on any Linux: archives instead of libraries. Debian has none of {fmt},
+# whose headers do, and none of oneTBB, whose place plain threads take
+# (oracle/judge/fast/in_chunks.cpp).
 if(CIRCUMSPECT_STATIC)
   set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
   add_library(fmt::fmt INTERFACE IMPORTED GLOBAL)
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
   add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
   target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
-  # Archives are searched in the order in which they stand: CGAL names GMP before MPFR, which needs it behind.
+  # Archives are searched in the order in which they stand: CGAL names GMP before MPFR, which needs
+  # it behind.
   string(APPEND CMAKE_CXX_STANDARD_LIBRARIES " -lgmp")
 endif()
 
-# In a browser: headers and archives of all are in one folder, which command/web/libraries.sh has made. What the
-# standard library there lacks is in a header that stands before every file.
+# In a browser: headers and archives of all are in one folder, which command/web/libraries.sh has
+# made. What the standard library there lacks is in a header that stands before every file.
 if(EMSCRIPTEN)
   include_directories(SYSTEM "${CIRCUMSPECT_WEB_LIBRARIES}/include")
   foreach(package fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 CGAL::CGAL Threads::Threads TBB::tbb)
@@ -33,10 +35,12 @@ if(EMSCRIPTEN)
   endforeach()
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
   target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
-  # WebAssembly always rounds to nearest, so no interval of CGAL's may be used, and none is: its kernel here computes
-  # with rationals alone. What it tries at the start of a program would end the program.
+  # WebAssembly always rounds to nearest, so no interval of CGAL's may be used, and none is: its
+  # kernel here computes with rationals alone. What it tries at the start of a program would end the
+  # program.
   target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_ROUNDING_MATH_CHECK)
-  # A page is fetched more often than it waits for an answer: small code before fast code, but in the fast judge.
+  # A page is fetched more often than it waits for an answer: small code before fast code, but in
+  # the fast judge.
   target_compile_options(circumspect_settings INTERFACE
                          "$<IF:$<IN_LIST:$<TARGET_PROPERTY:NAME>,circumspect_fast;circumspect_fast_predicates>,-O2,-Oz>" -fwasm-exceptions
                          "SHELL:-include ${PROJECT_SOURCE_DIR}/command/web/libcxx.hpp")

@@ -1,9 +1,10 @@
 #!/bin/bash
 # Makes an archive of the programs for any Linux, which needs nothing but a kernel:
 #   cmake/dist.sh BUILD FOLDER VERIFIED
-# BUILD has been configured with -DCIRCUMSPECT_STATIC=ON and built; VERIFIED is circumspect-verified, linked in the same way.
-# FOLDER/circumspect-VERSION-linux-MACHINE.tar.gz holds one folder of that name: both programs, man pages and completions,
-# and the licences of all that is in them. The same programs make the same bytes.
+# BUILD has been configured with -DCIRCUMSPECT_STATIC=ON and built; VERIFIED is
+# circumspect-verified, linked in the same way. FOLDER/circumspect-VERSION-linux-MACHINE.tar.gz
+# holds one folder of that name: both programs, man pages and completions, and the licences of all
+# that is in them. The same programs make the same bytes.
 set -euo pipefail
 
 build=${1:?usage: cmake/dist.sh BUILD FOLDER VERIFIED}
@@ -41,8 +42,9 @@ Circumspect's own licence is in LICENSE, those of the libraries that are linked 
 GMP, MPFR, CGAL, OCaml's and the C library are under the (L)GPL: "make dist" in Circumspect's sources links the
 programs anew, with other versions of them if you like.
 END
-# The same sources make the same bytes: of times there is only that of the last commit (or SOURCE_DATE_EPOCH, as everywhere),
-# of owners none, of modes those that do not depend on a umask, and gzip is not told the name and the time.
+# The same sources make the same bytes: of times there is only that of the last commit (or
+# SOURCE_DATE_EPOCH, as everywhere), of owners none, of modes those that do not depend on a umask,
+# and gzip is not told the name and the time.
 epoch=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || stat -c %Y "$root/CHANGELOG.md")}
 tar -C "$work" --format=gnu --owner=0 --group=0 --numeric-owner --mode=u+rwX,go=rX --sort=name --mtime="@$epoch" \
   -cf - "$name" | gzip -9n >"$folder/$name.tar.gz"

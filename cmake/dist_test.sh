@@ -1,8 +1,8 @@
 #!/bin/bash
 # Is the archive of `make dist` the same, byte for byte, whoever makes it and when?
 #   cmake/dist_test.sh
-# Instead of the command, which takes minutes to link, a script that knows its version is packed; instead of
-# circumspect-verified a program that does nothing.
+# Instead of the command, which takes minutes to link, a script that knows its version is packed;
+# instead of circumspect-verified a program that does nothing.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,6 +1,6 @@
-# What `cmake --install` installs beside the command, all under the component `harness`: the public headers
-# <circumspect/...>, the archives, a CMake package and pkg-config files. The headers need nothing but the
-# standard library.
+# What `cmake --install` installs beside the command, all under the component `harness`: the public
+# headers <circumspect/...>, the archives, a CMake package and pkg-config files. The headers need
+# nothing but the standard library.
 
 include(CMakePackageConfigHelpers)
 

@@ -1,12 +1,13 @@
 # What a layer is to the build: a folder, a library made of it, and the tests that sit beside it.
 #
-#   circumspect_layer(NAME FOLDER [UNTIMED] [DEPENDS layer...] [LINKS library...] [TEST_DEPENDS layer...])
+#   circumspect_layer(NAME FOLDER [UNTIMED] [DEPENDS layer...] [LINKS library...] [TEST_DEPENDS
+#   layer...])
 #     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none)
 #     test     NAME_test          FOLDER/*_test.cpp
 #     test     NAME_cgal_test     FOLDER/*_cgal_test.cpp, the only tests that see CGAL
 #
-# UNTIMED: nobody waits for what it does. CIRCUMSPECT_QUICK_BUILD optimizes it less, which takes the compiler
-# three fifths of the time.
+# UNTIMED: nobody waits for what it does. CIRCUMSPECT_QUICK_BUILD optimizes it less, which takes the
+# compiler three fifths of the time.
 #
 # The name of a test file says when it runs:
 #     *_slow_test.cpp, *_slow_property.cpp   label `slow`: not under the sanitizers
@@ -53,7 +54,7 @@ function(circumspect_layer name folder)
     list(APPEND archives circumspect_${name})
   endif()
   list(REMOVE_DUPLICATES archives)
-  set_target_properties(circumspect_${name} PROPERTIES CIRCUMSPECT_ARCHIVES "${archives}")
+  set_target_properties(circumspect_${name} PROPERTIES CIRCUMSPECT_ARCHIVES "${archives}" CIRCUMSPECT_FOLDER "${folder}")
   target_link_libraries(circumspect_${name} ${visibility}
                         circumspect_settings ${ARG_DEPENDS} ${ARG_LINKS})
 
@@ -82,11 +83,12 @@ function(circumspect_layer name folder)
                    LINKS ${test_links} CGAL::CGAL)
 endfunction()
 
-# The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags agree
-# share them precompiled: KIND is `layers`, `untimed_layers`, `properties` (with RapidCheck), or `tests` (with
-# doctest). GCC takes the level of optimization from the precompiled header, whatever is asked of the file.
-# Nothing of the project is among them, so that a change in the project makes none anew. A file must
-# still include what it uses: without the option, as in a plain preset, each is compiled as it stands.
+# The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags
+# agree share them precompiled: KIND is `layers`, `untimed_layers`, `properties` (with RapidCheck),
+# or `tests` (with doctest). GCC takes the level of optimization from the precompiled header,
+# whatever is asked of the file. Nothing of the project is among them, so that a change in the
+# project makes none anew. A file must still include what it uses: without the option, as in a plain
+# preset, each is compiled as it stands.
 function(circumspect_precompile target kind)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
@@ -129,7 +131,8 @@ function(circumspect_precompile target kind)
   elseif(kind STREQUAL "properties")
     target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
   endif()
-  # Flags have to agree: what is shared is position-independent as a library is, not as a program is.
+  # Flags have to agree: what is shared is position-independent as a library is, not as a program
+  # is.
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "EXECUTABLE" AND NOT kind STREQUAL "tests")
     set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
@@ -137,17 +140,17 @@ function(circumspect_precompile target kind)
   endif()
 endfunction()
 
-# The C library and the Python module are made of the layers' objects. Hidden symbols keep calls as direct as
-# in a program.
+# The C library and the Python module are made of the layers' objects. Hidden symbols keep calls as
+# direct as in a program.
 function(circumspect_compile_for_sharing target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
                                              VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled sixteen at a time, those of a test program
-# thirty-two: they instantiate much the same templates. Two files of one target that have a name each for
-# themselves, in namespaces without a name, may then meet in one translation unit: name one of the two
-# more exactly.
+# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled sixteen at a time, those of a
+# test program thirty-two: they instantiate much the same templates. Two files of one target that
+# have a name each for themselves, in namespaces without a name, may then meet in one translation
+# unit: name one of the two more exactly.
 function(circumspect_compile_together target at_a_time)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
@@ -162,9 +165,9 @@ function(circumspect_link_quickly target)
   endif()
 endfunction()
 
-# Test and layer both have their copies of std::vector's functions and the like. mold takes those of whichever
-# file it is given first. Layers come before the test, so that they run the code that they were compiled to: a test
-# is not optimized, and its copies would slow the layers down by a third.
+# Test and layer both have their copies of std::vector's functions and the like. mold takes those of
+# whichever file it is given first. Layers come before the test, so that they run the code that they
+# were compiled to: a test is not optimized, and its copies would slow the layers down by a third.
 function(circumspect_prefer_archives target)
   if(NOT CIRCUMSPECT_QUICK_BUILD OR NOT CIRCUMSPECT_MOLD OR NOT CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
     return()
@@ -190,8 +193,8 @@ function(circumspect_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
 endfunction()
 
-# What a test does itself takes no time to speak of, so the release does not spend it on optimizing, nor on a
-# handler of exceptions around each assertion: one that is thrown there ends its test case.
+# What a test does itself takes no time to speak of, so the release does not spend it on optimizing,
+# nor on a handler of exceptions around each assertion: one that is thrown there ends its test case.
 function(circumspect_compile_test target)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
@@ -204,12 +207,14 @@ function(circumspect_compile_test target)
                                                DOCTEST_CONFIG_NO_TRY_CATCH_IN_ASSERTS)
 endfunction()
 
-# `make test` has the sanitizers look where bytes, arrays and processes are handled. They see the fast judge and its threads
-# through those who call it: the tests of C's and C++'s arrays. The rest handles values: numbers, points and containers of
-# them. `make soak-sanitize` runs all tests, the fast judge's own, the campaigns' and the harness's among them.
+# `make test` has the sanitizers look where bytes, arrays and processes are handled. They see the
+# fast judge and its threads through those who call it: the tests of C's and C++'s arrays. The rest
+# handles values: numbers, points and containers of them. `make soak-sanitize` runs all tests, the
+# fast judge's own, the campaigns' and the harness's among them.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, processes" OFF)
 set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/(process|targets))")
-# `make test` runs these under the sanitizers alone. `make check`, `make soak` and `make mutants` run them in the release.
+# `make test` runs these under the sanitizers alone. `make check`, `make soak` and `make mutants`
+# run them in the release.
 option(CIRCUMSPECT_LEAVE_TO_SANITIZERS "Leave out the tests that the sanitizers of make test run" OFF)
 set(values_folders "^(oracle/judge$|(kernel|reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$))")
 set(sanitized_in_part OFF)

@@ -1,9 +1,9 @@
 #!/bin/bash
 # Puts the licences of everything that an artefact contains, but for its own, into a folder:
 #   cmake/licences.sh archive|page|wheel FOLDER
-# FOLDER has then one file for each library that is linked in, or whose headers are compiled in, and each of the licences
-# that these files name. Debian says of each library who wrote it and under which licence; so the packages that the
-# libraries come from have to be installed.
+# FOLDER has then one file for each library that is linked in, or whose headers are compiled in, and
+# each of the licences that these files name. Debian says of each library who wrote it and under
+# which licence; so the packages that the libraries come from have to be installed.
 set -euo pipefail
 
 artefact=${1:?usage: cmake/licences.sh archive|page|wheel FOLDER}
@@ -38,7 +38,8 @@ for package in "${packages[@]}"; do
   esac
   [ -s "$folder/$name" ] || { echo "cmake/licences.sh: expected a licence in $file, found none" >&2; exit 1; }
 done
-# The page of --html is a part of the command, and has three.js in it, whose licence stands before it.
+# The page of --html is a part of the command, and has three.js in it, whose licence stands before
+# it.
 page=$root/oracle/picture/page/page.built.html
 awk '/\/\*! With three\.js/ { found = 1; sub(/.*\/\*! /, "") } found && /^\*\// { exit } found' "$page" >"$folder/three.js"
 grep -q "Permission is hereby granted" "$folder/three.js" ||

@@ -1,7 +1,8 @@
 #!/bin/bash
 # The licences of all libraries travel with each artefact:
 #   cmake/licences_test.sh COMMAND
-# What COMMAND says that it is made of has a text in the archive, and all but what is not linked there in page and wheel.
+# What COMMAND says that it is made of has a text in the archive, and all but what is not linked
+# there in page and wheel.
 set -euo pipefail
 
 [ -d /usr/share/common-licenses ] || exit 77  # the texts are those that Debian has

@@ -1,8 +1,8 @@
 #!/bin/bash
 # Runs a step whose output nobody reads unless it fails:
 #   cmake/logged.sh LOG WHAT COMMAND [ARGUMENT...]
-# Prints one line with WHAT and how long it took; what the command prints is added to LOG. If the command
-# fails, the end of that is printed, and where the rest is; the exit code is the command's.
+# Prints one line with WHAT and how long it took; what the command prints is added to LOG. If the
+# command fails, the end of that is printed, and where the rest is; the exit code is the command's.
 set -uo pipefail
 
 if [ $# -lt 3 ]; then

@@ -1,8 +1,10 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh build|demo|verified|docs|proofs|test|coverage|mutants|browser|web|deb|ports|hunt|bench...
-# When nothing is missing it touches neither the network nor the system. A|B is the first of the two that this release of
-# Debian has; with a question mark behind it, what it does not have is left out.
+#   cmake/packages.sh
+#   build|demo|verified|docs|proofs|test|coverage|mutants|browser|web|deb|ports|hunt|bench...
+# When nothing is missing it touches neither the network nor the system. A|B is the first of the two
+# that this release of Debian has; with a question mark behind it, what it does not have is left
+# out.
 set -euo pipefail
 
 # Whatever compiles the command compiles it with these.

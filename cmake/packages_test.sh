@@ -16,14 +16,16 @@ stand_in() {
   printf '#!/bin/bash\n%s\n' "$2" >"$work/bin/$1"
   chmod +x "$work/bin/$1"
 }
-# A package is installed, or known, if its name is a line of a file. apt's lists come with an update.
+# A package is installed, or known, if its name is a line of a file. apt's lists come with an
+# update.
 stand_in dpkg-query "grep -qxF -- \"\${@: -1}\" $work/installed && echo installed"
 stand_in apt-cache "[ -f $work/updated ] && grep -qxF -- \"\$2\" $work/known && echo '  Candidate: 1.0' || echo '  Candidate: (none)'"
 stand_in apt-get "case \" \$* \" in *' update '*) touch $work/updated ;; *' install '*) echo \"\$*\" >>$work/log ;; esac"
 stand_in sudo 'exec "$@"'
 export PATH=$work/bin:$PATH
 
-# installs KNOWN…: what is installed for the tests where nothing is yet, and this is known beside the rest
+# installs KNOWN…: what is installed for the tests where nothing is yet, and this is known beside
+# the rest
 installs() {
   rm -f "$work/log" "$work/updated"
   : >"$work/installed"

@@ -1,6 +1,6 @@
-# Puts page.built.html into the layer `picture`, as page_source() (oracle/picture/page.hpp). The page is
-# committed as it was bundled, so that building the command needs neither Node nor a network. Where the layer is
-# another build's archive, it has its page.
+# Puts page.built.html into the layer `picture`, as page_source() (oracle/picture/page.hpp). The
+# page is committed as it was bundled, so that building the command needs neither Node nor a
+# network. Where the layer is another build's archive, it has its page.
 get_target_property(built_elsewhere circumspect_picture IMPORTED)
 if(built_elsewhere)
   return()

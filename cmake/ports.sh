@@ -1,10 +1,11 @@
 #!/bin/bash
 # Builds where the project was not developed, and judges there:
 #   cmake/ports.sh FOLDER
-# In FOLDER/trixie it makes a bare Debian 13, runs the words of README.md's section "Install" there, holds what the command
-# prints to the golden bytes, and cross-compiles it for arm64, of which nothing is run. FOLDER/ccache is kept, so that a
-# second time is short. Needs root, debootstrap and the network; MIRROR names another mirror, and ROOT an existing Debian 13
-# to be used instead, which is kept.
+# In FOLDER/trixie it makes a bare Debian 13, runs the words of README.md's section "Install" there,
+# holds what the command prints to the golden bytes, and cross-compiles it for arm64, of which
+# nothing is run. FOLDER/ccache is kept, so that a second time is short. Needs root, debootstrap and
+# the network; MIRROR names another mirror, and ROOT an existing Debian 13 to be used instead, which
+# is kept.
 set -euo pipefail
 
 mkdir -p "${1:?usage: cmake/ports.sh FOLDER}"

@@ -50,7 +50,8 @@ mark_as_advanced(CIRCUMSPECT_MOLD)
 
 # Everything the project compiles links `circumspect_settings`. Headers are included by their path
 # from the root of the repository, the public ones as users do: <circumspect/...>. Warnings become
-# errors in the presets, not for a packager; a project around this one gets none, since they are not its own.
+# errors in the presets, not for a packager; a project around this one gets none, since they are not
+# its own.
 add_library(circumspect_settings INTERFACE)
 target_include_directories(circumspect_settings INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/include")
@@ -65,9 +66,11 @@ if(CMAKE_CONFIGURATION_TYPES OR "${_flags} ${_definitions_around}" MATCHES "NDEB
 endif()
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CIRCUMSPECT_QUICK_BUILD)
-  # It spends a twentieth of its time on collecting garbage, of which a source leaves half a gigabyte.
+  # It spends a twentieth of its time on collecting garbage, of which a source leaves half a
+  # gigabyte.
   target_compile_options(circumspect_settings INTERFACE "SHELL:--param ggc-min-heapsize=1048576")
-  # Line numbers for a debugger take it another twentieth. Who wants them uses the presets as they are.
+  # Line numbers for a debugger take it another twentieth. Who wants them uses the presets as they
+  # are.
   target_compile_options(circumspect_settings INTERFACE $<$<CONFIG:RelWithDebInfo>:-g0>)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -76,8 +79,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 if((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13) OR
    (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 15))
-  # Later compilers than those that the project is developed with warn of other things, such as GCC 14 of an
-  # std::optional in a moved struct that it takes for uninitialized: nobody's build ends for that.
+  # Later compilers than those that the project is developed with warn of other things, such as GCC
+  # 14 of an std::optional in a moved struct that it takes for uninitialized: nobody's build ends
+  # for that.
   set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=")

@@ -75,8 +75,9 @@ constexpr auto kSubcommands = std::to_array<Subcommand>({
 #endif
 });
 
-// The one that the first word names: the options of all take longer to make than a small mesh to judge. All of them
-// if it names none, as --help lists them, and for help and command-pages, which describe them.
+// The one that the first word names: the options of all take longer to make than a small mesh to
+// judge. All of them if it names none, as --help lists them, and for help and command-pages, which
+// describe them.
 std::span<const Subcommand> called(int argc, char** argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   const auto found = std::find_if(kSubcommands.begin(), kSubcommands.end(),
@@ -91,7 +92,8 @@ ExitCode say_usage(const std::string& text) {
   return ExitCode::kUsage;
 }
 
-// Something is missing, or too much: most often since a word was mistyped. It may be a word of another subcommand.
+// Something is missing, or too much: most often since a word was mistyped. It may be a word of
+// another subcommand.
 ExitCode usage_fault(CLI::App& app, const CLI::ParseError& error, ExitCode& exit_code) {
   for (const Subcommand& subcommand : kSubcommands) {
     const auto is_it = [&](const CLI::App* one) { return one->get_name() == subcommand.name; };
@@ -155,7 +157,8 @@ ExitCode run(int argc, char** argv) {
 
 std::terminate_handler usual_end = nullptr;
 
-// Destructors must not throw, and some of nlohmann::json ask for memory: where it is exhausted, they come here.
+// Destructors must not throw, and some of nlohmann::json ask for memory: where it is exhausted,
+// they come here.
 [[noreturn]] void end_where_nobody_catches() {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());

@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A line end, an escape sequence of seven bits and one of eight, a line separator, a byte that is no UTF-8,
-// an override of the direction of text; and "é", which is a letter as any other.
+// A line end, an escape sequence of seven bits and one of eight, a line separator, a byte that is
+// no UTF-8, an override of the direction of text; and "é", which is a letter as any other.
 const std::string kNasty =
     "c\nholds: x\x1b[31m\xc2\x9b"
     "31m\xe2\x80\xa8y\xff\xe2\x80\xae\xc3\xa9";

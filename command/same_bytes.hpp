@@ -1,5 +1,5 @@
-// For tests: `circumspect build delaunay` writes the same bytes for every algorithm and every order. The code that
-// same_bytes_test and same_bytes_soak_test share.
+// For tests: `circumspect build delaunay` writes the same bytes for every algorithm and every
+// order. The code that same_bytes_test and same_bytes_soak_test share.
 #pragma once
 
 #include <sstream>
@@ -68,8 +68,8 @@ inline std::string everything_written(const std::string& points, const std::stri
   return built.out + "neighbours\n" + contents(neighbors);
 }
 
-// The property that the command writes the same bytes for a random set of dimension d, whichever way
-// it goes. `sets` makes generators::PointsCase, which prints itself as a .node file.
+// The property that the command writes the same bytes for a random set of dimension d, whichever
+// way it goes. `sets` makes generators::PointsCase, which prints itself as a .node file.
 template <typename Set>
 auto same_bytes(std::size_t d, const rc::Gen<Set>& sets) {
   return [d, sets] {

@@ -6,6 +6,7 @@
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -13,7 +14,8 @@ namespace circumspect::corpus {
 
 // ---- By definition ----
 // Judges the meshes of the corpus from the definitions, those with many simplices left out: the
-// time grows with the square of their number. `make test`, which tries a quarter of all inputs, leaves out more.
+// time grows with the square of their number. `make test`, which tries a quarter of all inputs,
+// leaves out more.
 
 std::size_t too_many_by_definition() { return properties::one_input_in() > 1 ? 30 : 100; }
 // Of a domain, definitions look at visibility, too.
@@ -103,8 +105,8 @@ TEST_CASE("each verdict in the plane and in space has a certificate or a refutat
 }
 
 // ---- Facts of simplices ----
-// The meshes of domains/, judged with what the fast judge knows of their simplices and without: the same
-// word for word.
+// The meshes of domains/, judged with what the fast judge knows of their simplices and without: the
+// same word for word.
 
 TEST_CASE("what is known of the simplices changes no word about a mesh of a domain") {
   std::size_t known = 0, wrong = 0;

@@ -1,4 +1,5 @@
-// Judges every mesh of the corpus from the lemmas, and holds expected.tsv and the files to each other.
+// Judges every mesh of the corpus from the lemmas, and holds expected.tsv and the files to each
+// other.
 #include <algorithm>
 #include <filesystem>
 
@@ -104,7 +105,8 @@ TEST_CASE("expected.tsv and the meshes on disk are the same set") {
 }
 
 // ---- Arrays ----
-// The meshes of the corpus as arrays: whatever the checkers say of the files, `judge` says of the arrays.
+// The meshes of the corpus as arrays: whatever the checkers say of the files, `judge` says of the
+// arrays.
 
 TEST_CASE("arrays are judged as files are, and by the fast judge wherever they hold") {
   constexpr std::size_t kOneRowIn = properties::kOneInputIn > 1 ? 4 : 1;
@@ -127,8 +129,9 @@ TEST_CASE("arrays are judged as files are, and by the fast judge wherever they h
 }
 
 // ---- The one judge ----
-// The one judge and the exact checkers alone give the same verdict, word for word, on every mesh of the corpus that has
-// its points beside it. The fast engine decides it wherever the claim holds or only facets are not locally Delaunay.
+// The one judge and the exact checkers alone give the same verdict, word for word, on every mesh of
+// the corpus that has its points beside it. The fast engine decides it wherever the claim holds or
+// only facets are not locally Delaunay.
 
 namespace {
 

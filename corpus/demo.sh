@@ -1,8 +1,8 @@
 #!/bin/bash
-# The demonstration: judges meshes of this corpus, good ones and broken ones, made by TetGen, Gmsh, Qhull,
-# CGAL and us, builds references and judges them, and lets a campaign loose on TetGen. Exit 0 if every
-# verdict was the expected one. CAMPAIGN_TIME=2s makes the campaign shorter; CAMPAIGN_OUTPUT=FOLDER keeps
-# what it finds.
+# The demonstration: judges meshes of this corpus, good ones and broken ones, made by TetGen, Gmsh,
+# Qhull, CGAL and us, builds references and judges them, and lets a campaign loose on TetGen. Exit 0
+# if every verdict was the expected one. CAMPAIGN_TIME=2s makes the campaign shorter;
+# CAMPAIGN_OUTPUT=FOLDER keeps what it finds.
 set -uo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -24,7 +24,8 @@ say() {
   printf '# %s\n' "$@"
 }
 
-# expect EXIT_CODE START ARGUMENT...: runs the command and shows it; its last line has to begin with START.
+# expect EXIT_CODE START ARGUMENT...: runs the command and shows it; its last line has to begin with
+# START.
 expect() {
   local code=$1 start=$2 output status
   shift 2

@@ -1,5 +1,5 @@
-// The rows of domains/expected.tsv, and the meshes and domains they are about, for the tests in this
-// folder.
+// The rows of domains/expected.tsv, and the meshes and domains they are about, for the tests in
+// this folder.
 #pragma once
 
 #include <algorithm>
@@ -66,9 +66,9 @@ inline std::vector<DomainRow> domain_rows() {
   return rows;
 }
 
-// What the command makes of a file. Without a kind, a domain is enclosed if it encloses anything, and
-// its convex hull if it has no walls. Throws if the file holds no valid complex, or one whose kind has
-// to be said.
+// What the command makes of a file. Without a kind, a domain is enclosed if it encloses anything,
+// and its convex hull if it has no walls. Throws if the file holds no valid complex, or one whose
+// kind has to be said.
 inline Domain domain_of(const std::string& path, std::optional<DomainKind> kind = {}) {
   auto file = formats::read_domain(path, NumberReading::kDouble);
   if (!file) throw std::runtime_error(file.error().to_string());

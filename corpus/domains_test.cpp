@@ -1,5 +1,5 @@
-// Judges every mesh of domains/ from the lemmas, holds the validity check to invalid.tsv, and holds both
-// tables and the files to each other.
+// Judges every mesh of domains/ from the lemmas, holds the validity check to invalid.tsv, and holds
+// both tables and the files to each other.
 #include <filesystem>
 
 #include <doctest/doctest.h>

@@ -1,5 +1,6 @@
-// Replays findings/: the mesh that each program wrote is judged against what it was given, and breaks
-// the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs them.
+// Replays findings/: the mesh that each program wrote is judged against what it was given, and
+// breaks the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs
+// them.
 #include <filesystem>
 
 #include <circumspect/judgement.hpp>
@@ -16,9 +17,9 @@ namespace fs = std::filesystem;
 
 const std::string kFindings = CIRCUMSPECT_CORPUS_DIR "/findings/";
 
-// One line: a name; a claim, with the kind of the domain if it is one; the rule that is broken first,
-// or how the program ended without a mesh; the file that it read; the mesh that it wrote or vouched
-// for, "-" if there is none; the command, for people.
+// One line: a name; a claim, with the kind of the domain if it is one; the rule that is broken
+// first, or how the program ended without a mesh; the file that it read; the mesh that it wrote or
+// vouched for, "-" if there is none; the command, for people.
 struct FindingRow {
   std::string name;
   std::vector<std::string> claim;

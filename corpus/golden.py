@@ -23,8 +23,9 @@ import sys
 CORPUS = pathlib.Path(__file__).resolve().parent
 TABLE = CORPUS / "golden.tsv"
 FAMILIES = ["uniform", "grid", "sphere+ulp", "submerged", "duplicates", "mixed-exponents"]
-# Without these limits seven inputs would take as long as all others together: the command searches for a triangulation of the domains, and
-# in the point sets for a sphere through too many points. The row of figure-4-13-chazelle-2.poly has no limit and searches to the end.
+# Without these limits seven inputs would take as long as all others together: the command searches
+# for a triangulation of the domains, and in the point sets for a sphere through too many points.
+# The row of figure-4-13-chazelle-2.poly has no limit and searches to the end.
 LIMITED = {"domains/landscape.poly": " --search-vertices 50",
            "domains/figure-4-13-chazelle-3.poly": " --search-vertices 20",
            "domains/chazelle-outer-notches.poly": " --search-vertices 20",

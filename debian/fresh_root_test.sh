@@ -1,9 +1,9 @@
 #!/bin/bash
 # Makes a bare Debian 12 in a folder, and judges there as strangers would:
 #   debian/fresh_root_test.sh PACKAGES ARCHIVE
-# ARCHIVE is what `make dist` made: it has to run before anything is installed. PACKAGES is the folder in which
-# `make deb` left its packages: the command, a C program, a C++ program and Python then judge by them. Needs root,
-# debootstrap and the network; MIRROR names another mirror.
+# ARCHIVE is what `make dist` made: it has to run before anything is installed. PACKAGES is the
+# folder in which `make deb` left its packages: the command, a C program, a C++ program and Python
+# then judge by them. Needs root, debootstrap and the network; MIRROR names another mirror.
 set -euo pipefail
 
 packages=$(realpath "${1:?usage: debian/fresh_root_test.sh PACKAGES ARCHIVE}")

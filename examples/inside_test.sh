@@ -1,5 +1,6 @@
 #!/bin/bash
-# Configures, builds and runs a project that has the sources of Circumspect inside, as their users would:
+# Configures, builds and runs a project that has the sources of Circumspect inside, as their users
+# would:
 #   examples/inside_test.sh            configures it, and looks at what it would build
 #   examples/inside_test.sh --build    and builds and runs it, which compiles everything once more
 # The project around sets no build type, and demands more of its own code than Circumspect does.

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Installs into a fresh folder, builds the examples against that copy as their users would, and runs them:
+# Installs into a fresh folder, builds the examples against that copy as their users would, and runs
+# them:
 #   examples/outside_test.sh BUILD
 # BUILD is a build of the project, such as build/release.
 set -euo pipefail
@@ -35,7 +36,8 @@ cp -r "$examples" "$work/examples"
 echo "the command, as README.md installs it"
 quietly cmake --install "$build" --component command --prefix "$work/local"
 "$work/local/bin/circumspect" --version >/dev/null || fail "the installed command does not run"
-# Its section "Believe nobody" runs with what its section "Install" installs, where that has been built.
+# Its section "Believe nobody" runs with what its section "Install" installs, where that has been
+# built.
 verified=$(sed -n 's/^CIRCUMSPECT_VERIFIED:FILEPATH=//p' "$build/CMakeCache.txt")
 grep -q "^make verified" "$examples/../README.md" || fail "expected that README.md builds circumspect-verified by make verified"
 make -n -C "$(dirname "$examples")" verified >"$work/make" 2>/dev/null || fail "make -n verified failed"

@@ -1,5 +1,5 @@
-// A program to be put to the test: the Delaunay triangulation of points in the plane, as it is often
-// written, with floating-point predicates.
+// A program to be put to the test: the Delaunay triangulation of points in the plane, as it is
+// often written, with floating-point predicates.
 #pragma once
 
 #include <array>

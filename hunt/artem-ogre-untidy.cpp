@@ -1,4 +1,5 @@
-// Segments that touch, cross and overlap, points that are there twice: as its README tells to hand over such input.
+// Segments that touch, cross and overlap, points that are there twice: as its README tells to hand
+// over such input.
 #include <cstdio>
 
 #include <CDT.h>

@@ -1,4 +1,5 @@
-// The dual of Boost.Polygon's Voronoi diagram, which takes integers of 32 bits; a vertex of more than three cells makes a fan.
+// The dual of Boost.Polygon's Voronoi diagram, which takes integers of 32 bits; a vertex of more
+// than three cells makes a fan.
 #include <cmath>
 
 #include <boost/polygon/point_data.hpp>

@@ -1,4 +1,5 @@
-// Surfaces in space, each polygon of one outline a face, with the kernel that the manual recommends.
+// Surfaces in space, each polygon of one outline a face, with the kernel that the manual
+// recommends.
 #include <iomanip>
 #include <iostream>
 

@@ -1,4 +1,5 @@
-// raintherrien/delaunator-c: single precision. Its macros for the layout of the result do not compile as C++.
+// raintherrien/delaunator-c: single precision. Its macros for the layout of the result do not
+// compile as C++.
 #include <stdexcept>
 
 extern "C" {

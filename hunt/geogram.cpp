@@ -1,4 +1,5 @@
-// "BDEL2d" and "BDEL", of the pluggable module that tools/extract_psm.sh makes of delaunay/Delaunay.psm.
+// "BDEL2d" and "BDEL", of the pluggable module that tools/extract_psm.sh makes of
+// delaunay/Delaunay.psm.
 #include "Delaunay_psm.h"
 #include "lines.hpp"
 

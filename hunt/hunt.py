@@ -26,14 +26,16 @@ HERE = Path(__file__).resolve().parent
 RUNS = HERE / "runs.tsv"
 COLUMNS = ("target", "library", "version", "language", "dimensions", "numbers", "page", "from", "build", "command", "claim")
 RUN_COLUMNS = ("target", "dimension", "regime", "date", "seconds", "cases", "holds", "refused", "signatures")
-# What users have: no families whose names promise exponents that nobody has, and neither is anything scaled.
+# What users have: no families whose names promise exponents that nobody has, and neither is
+# anything scaled.
 FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
 # All others are about domains.
 POINT_CLAIMS = {"delaunay", "triangulation"}
 # These reserve much address space.
 VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
-# Points of which some are flat or cospherical up to this share of their extent and not exactly, or that lie so far from the origin
-# that their differences have few digits left, are "near": only exact predicates avoid such faults.
+# Points of which some are flat or cospherical up to this share of their extent and not exactly, or
+# that lie so far from the origin that their differences have few digits left, are "near": only
+# exact predicates avoid such faults.
 MARGIN = Fraction(1, 10 ** 9)
 
 

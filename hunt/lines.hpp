@@ -1,5 +1,5 @@
-// The code that all adapters in C and C++ share: it answers the cases of `circumspect campaign --worker`
-// (docs/workers.md).
+// The code that all adapters in C and C++ share: it answers the cases of `circumspect campaign
+// --worker` (docs/workers.md).
 #pragma once
 
 #include <cstdio>
@@ -37,7 +37,8 @@ using Segments = std::vector<std::pair<long, long>>;
 
 using Triangulate = std::function<Simplices(const Points&, const Segments&)>;
 
-// One answer after the other. What `triangulate` throws beside Refused ends the process with exit code 1.
+// One answer after the other. What `triangulate` throws beside Refused ends the process with exit
+// code 1.
 inline int answer_all(const Triangulate& triangulate, bool is_of_domains) {
   std::FILE* out = fdopen(dup(1), "w");
   dup2(2, 1);  // libraries print what they like
@@ -82,8 +83,8 @@ inline int answer_all(const Triangulate& triangulate, bool is_of_domains) {
   return 0;
 }
 
-// `triangulate` is given the points of the plane, and the segments that are to be edges: a worker answers
-// domains with an .off file.
+// `triangulate` is given the points of the plane, and the segments that are to be edges: a worker
+// answers domains with an .off file.
 inline int serve_domains(const Triangulate& triangulate) { return answer_all(triangulate, true); }
 
 inline int serve(const std::function<Simplices(const Points&)>& triangulate) {

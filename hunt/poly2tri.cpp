@@ -1,4 +1,5 @@
-// It triangulates polygons with points inside: the polygon is the hull, with every point on it, by CGAL's exact predicates.
+// It triangulates polygons with points inside: the polygon is the hull, with every point on it, by
+// CGAL's exact predicates.
 #include <algorithm>
 #include <memory>
 #include <numeric>

@@ -1,4 +1,5 @@
-// The newest Qhull, called as SciPy calls it: "qhull d Qbb Qc Qz Qt" (Q12 in more than four dimensions).
+// The newest Qhull, called as SciPy calls it: "qhull d Qbb Qc Qz Qt" (Q12 in more than four
+// dimensions).
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }

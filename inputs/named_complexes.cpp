@@ -99,29 +99,27 @@ void append(std::vector<Vertex>& line, std::vector<Vertex> more, bool backwards)
   line.insert(line.end(), more.begin(), more.end());
 }
 
-}  // namespace
+// Those cut into the floor, and those into the ceiling.
+struct Wedges {
+  std::vector<Wedge> below, above;
+};
 
-PiecewiseLinearInput chazelle(int notches) {
+// Adds their points. The sides of a wedge are planes through its sharp edge: at a height h from the
+// edge they are h / steepness away from it.
+Wedges add_wedges(PiecewiseLinearInput& input, int notches, const Rational& floor,
+                  const Rational& ceiling, const Rational& gap) {
   const int side = notches + 1;
-  const Rational floor = -1, ceiling = side * side + 1, gap(1, 8);
   // A power of two, so that all coordinates are doubles.
   Rational steepness = 1;
   while (steepness < 4 * (side * side + 2)) steepness *= 2;
-  PiecewiseLinearInput input = box(0, 1);
-  input.polygons.clear();
-  for (Point& corner : input.points) {
-    corner = {corner[0] * side, corner[1] * side, corner[2] == 0 ? floor : ceiling};
-  }
   const auto add = [&input](const Point& point) {
     input.points.push_back(point);
     return static_cast<Vertex>(input.points.size()) - 1;
   };
-  // The sides of a wedge are planes through its sharp edge: at a height h from the edge they are
-  // h / steepness away from it.
-  std::vector<Wedge> below(static_cast<std::size_t>(notches)), above = below;
+  Wedges wedges;
   for (int i = 1; i <= notches; ++i) {
-    Wedge& cut = below[static_cast<std::size_t>(i - 1)];
-    Wedge& dent = above[static_cast<std::size_t>(i - 1)];
+    Wedge& cut = wedges.below.emplace_back();
+    Wedge& dent = wedges.above.emplace_back();
     for (const int end : {0, 1}) {
       const Rational along = end * side, height = i * along;
       const Rational half_cut = (height - floor) / steepness;
@@ -134,15 +132,28 @@ PiecewiseLinearInput chazelle(int notches) {
       dent.high[end] = add({along, i + half_dent, ceiling});
     }
   }
+  return wedges;
+}
+
+}  // namespace
+
+PiecewiseLinearInput chazelle(int notches) {
+  const int side = notches + 1;
+  const Rational floor = -1, ceiling = side * side + 1, gap(1, 8);
+  PiecewiseLinearInput input = box(0, 1);
+  input.polygons.clear();
+  for (Point& corner : input.points) {
+    corner = {corner[0] * side, corner[1] * side, corner[2] == 0 ? floor : ceiling};
+  }
+  const Wedges wedges = add_wedges(input, notches, floor, ceiling, gap);
   const auto polygon = [&input](const std::vector<Vertex>& line) {
     input.polygons.push_back({{line}, {}});
   };
   // The floor's and the ceiling's strips between the wedges, and the wedges' sides. Corners are
   // numbered by x, y, z in binary: the floor's 0 1 2 3, the ceiling's 4 5 6 7.
-  const auto strips = [&](const std::vector<Wedge>& wedges, Vertex a, Vertex b, Vertex c,
-                          Vertex d) {
+  const auto strips = [&](const std::vector<Wedge>& row, Vertex a, Vertex b, Vertex c, Vertex d) {
     Vertex from[2] = {a, b};
-    for (const Wedge& wedge : wedges) {
+    for (const Wedge& wedge : row) {
       polygon({from[0], from[1], wedge.low[1], wedge.low[0]});
       polygon({wedge.low[0], wedge.low[1], wedge.sharp[1], wedge.sharp[0]});
       polygon({wedge.high[0], wedge.high[1], wedge.sharp[1], wedge.sharp[0]});
@@ -151,14 +162,14 @@ PiecewiseLinearInput chazelle(int notches) {
     }
     polygon({from[0], from[1], d, c});
   };
-  strips(below, 0, 2, 1, 3);
-  strips(above, 4, 5, 6, 7);
+  strips(wedges.below, 0, 2, 1, 3);
+  strips(wedges.above, 4, 5, 6, 7);
   for (const int end : {0, 1}) {
     const Vertex y = 2 * end, x = end;
-    std::vector<Vertex> front = notched(y, below, end, y + 1);
+    std::vector<Vertex> front = notched(y, wedges.below, end, y + 1);
     append(front, {y + 4, y + 5}, true);
     polygon(front);
-    std::vector<Vertex> left = notched(x + 4, above, end, x + 6);
+    std::vector<Vertex> left = notched(x + 4, wedges.above, end, x + 6);
     append(left, {x, x + 2}, true);
     polygon(left);
   }

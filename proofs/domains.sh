@@ -1,7 +1,7 @@
 #!/bin/bash
-# Certifies the meshes of corpus/domains, and has circumspect-verified read what proves the verdict, and compare it with
-# the files:  proofs/domains.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
-# A mesh may have no certificate or no refutation: circumspect certify says so, exit code 2. None is rejected.
+# Certifies the meshes of corpus/domains, and has circumspect-verified read what proves the verdict,
+# and compare it with the files:  proofs/domains.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED A mesh may have
+# no certificate or no refutation: circumspect certify says so, exit code 2. None is rejected.
 set -euo pipefail
 circumspect=$(realpath "$1")
 verified=$(realpath "$2")
@@ -62,13 +62,15 @@ for dimension in 2 3; do
   found=$(ulimit -s 256 && "$verified" "$scratch/certificate" "$scratch"/many.{node,ele}) || true
   [[ "$found" == "verified: delaunay, 8000 points, "* ]] || { echo "dimension $dimension: found '$found'" >&2; exit 1; }
 done
-# Whether the domain is a complex is asked in no more time than the mesh takes: 25,000 tetrahedra in 8 s of a slow processor.
+# Whether the domain is a complex is asked in no more time than the mesh takes: 25,000 tetrahedra in
+# 8 s of a slow processor.
 cp two-rooms.poly "$scratch"
 (cd "$scratch" && tetgen -pqQa0.0016 two-rooms.poly >/dev/null)
 "$circumspect" certify "$scratch/two-rooms.1.ele" --domain two-rooms.poly --claim steiner-triangulation --quiet -o "$scratch/certificate"
 found=$(ulimit -t 8 && "$verified" "$scratch/certificate" "$scratch"/two-rooms.1.{node,ele} two-rooms.poly) || true
 [[ "$found" == "verified: steiner-triangulation, "*"domain: enclosed, plc, 12 vertices, "* ]] || { echo "many polygons: found '$found'" >&2; exit 1; }
-# What is around a mesh may have points that are nobody's. They are none of the mesh, and its own are not these.
+# What is around a mesh may have points that are nobody's. They are none of the mesh, and its own
+# are not these.
 own=(tetgen/l-prism.1.node tetgen/l-prism.1.ele l-prism.poly)
 "$circumspect" certify "${own[1]}" --domain "${own[2]}" --quiet -o "$scratch/certificate"
 grep -q ' -$' <(sed -n '/^points/,/^simplices/p' "$scratch/certificate")
@@ -92,8 +94,8 @@ for mesh in "verified: not cdt, domain.segment-missing; 1 dangling face; *:0 1 2
   # shellcheck disable=SC2053  # a pattern
   [[ "$found" == ${mesh%:*} ]] || { echo "triangles in space: expected '${mesh%:*}', found '$found'" >&2; exit 1; }
 done
-# Domains without a triangulation or a CDT, and what does not show it: a piece or a point elsewhere, a candidate
-# that is said to be free, another vertex, planes left out, the other claim.
+# Domains without a triangulation or a CDT, and what does not show it: a piece or a point elsewhere,
+# a candidate that is said to be free, another vertex, planes left out, the other claim.
 for none in triangulation:figure-4-10-schonhardt triangulation:exercise-5-5-closed \
   triangulation:figure-4-12-three-segments CDT:figure-4-15-encircled-segment CDT:schonhardt-with-centre CDT:two-triangles; do
   domain=${none#*:}

@@ -1,5 +1,5 @@
-// Meshes as arrays of doubles: what `judge` says of them, mostly by the fast judge where they hold, is
-// word for word what the checkers say. Proof: docs/theory/fast.md.
+// Meshes as arrays of doubles: what `judge` says of them, mostly by the fast judge where they hold,
+// is word for word what the checkers say. Proof: docs/theory/fast.md.
 #include <string>
 
 #include <circumspect/check.hpp>

@@ -1,5 +1,6 @@
-// Every mutation of the catalogue on small meshes, degenerate ones above all: whoever judges, quickly, by
-// lemma or by definition, sees through it, and the rule named is one that the catalogue expects.
+// Every mutation of the catalogue on small meshes, degenerate ones above all: whoever judges,
+// quickly, by lemma or by definition, sees through it, and the rule named is one that the catalogue
+// expects.
 #include <limits>
 #include <map>
 
@@ -150,7 +151,8 @@ void check_faults_at(const ArrayMesh& mesh, std::size_t s) {
   }
 }
 
-// What looks at simplices block by block and chunk by chunk looks at the first and the last of each.
+// What looks at simplices block by block and chunk by chunk looks at the first and the last of
+// each.
 TEST_CASE("strips of all lengths near the sizes of blocks hold, and no fault anywhere is missed") {
   const std::size_t longest = kOneInputIn > 1 ? 65 : 4097;
   for (const std::size_t d : {2u, 3u}) {

@@ -1,5 +1,6 @@
-// Every mutation of the catalogue on meshes of 10^5 points, made by CGAL: the fast judge vouches for none, and
-// `judge` names a rule that the catalogue expects, in the words of the exact checkers, for one thread as for four.
+// Every mutation of the catalogue on meshes of 10^5 points, made by CGAL: the fast judge vouches
+// for none, and `judge` names a rule that the catalogue expects, in the words of the exact
+// checkers, for one thread as for four.
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -62,8 +63,8 @@ Claim claim_of(const ArrayMesh& mesh) {
 // What is said of the mutants of one mutation, and how often.
 using Answers = std::map<std::string, std::size_t>;
 
-// With the neighbours that are left, with none, and of the first mutant also with right ones and with those
-// of the mesh before.
+// With the neighbours that are left, with none, and of the first mutant also with right ones and
+// with those of the mesh before.
 void ask_the_fast_judge(const Mutation& mutation, ArrayMesh mutant, const ArrayMesh& mesh,
                         bool is_first, Answers& answers) {
   const auto ask = [&](Claim claim) {
@@ -85,8 +86,8 @@ void ask_the_fast_judge(const Mutation& mutation, ArrayMesh mutant, const ArrayM
   }
 }
 
-// The rule that is named first, and "holds" if none is. On one to four threads the judge says, word for word, what the
-// exact checkers say.
+// The rule that is named first, and "holds" if none is. On one to four threads the judge says, word
+// for word, what the exact checkers say.
 std::string named_rule(const Mutation& mutation, ArrayMesh mutant) {
   if (mutation.expected == Expected::kEqualPoints) {
     mutant.neighbors.clear();

@@ -20,7 +20,8 @@ inline fast::Question question_of(Claim claim) {
   return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
 }
 
-// Says "accepted", "not Delaunay", or why nothing is decided: the fast judge, for arrays of this type.
+// Says "accepted", "not Delaunay", or why nothing is decided: the fast judge, for arrays of this
+// type.
 template <std::size_t kDimension, typename Index>
 std::string said_fast(const ArrayMesh& mesh, Claim claim, unsigned threads) {
   const std::vector<Index> simplices(mesh.simplices.begin(), mesh.simplices.end());
@@ -37,7 +38,8 @@ inline bool fits_in_32_bits(const std::vector<std::int64_t>& numbers) {
                      [](std::int64_t x) { return x == static_cast<std::int32_t>(x); });
 }
 
-// The same for one thread and for several, and for either type of indices, or "different answers: …".
+// The same for one thread and for several, and for either type of indices, or "different answers:
+// …".
 inline std::string said_fast(const ArrayMesh& mesh, Claim claim) {
   const bool in_plane = mesh.dimension == 2;
   const std::string wide = in_plane ? said_fast<2, std::int64_t>(mesh, claim, 4)
@@ -63,8 +65,8 @@ inline Mesh mesh_of(const ArrayMesh& arrays, Claim claim) {
   return mesh;
 }
 
-// Would the fast judge, asked alone, vouch for a mutant that it must not vouch for? What is wrong with what
-// it says; empty if nothing. Of mutations that may do no harm nothing is known.
+// Would the fast judge, asked alone, vouch for a mutant that it must not vouch for? What is wrong
+// with what it says; empty if nothing. Of mutations that may do no harm nothing is known.
 inline std::string fault_of_fast(const Mutation& mutation, const std::string& said) {
   const bool accepted = said == "accepted";
   switch (mutation.expected) {

@@ -66,7 +66,8 @@ Rational volume_of_tetrahedra(const PointSet& points, const std::vector<Simplex>
   return sum;
 }
 
-// The volume of |P|, as of `volume`: of the convex hull, or what the inner sides of the walls enclose.
+// The volume of |P|, as of `volume`: of the convex hull, or what the inner sides of the walls
+// enclose.
 Rational volume_of_tetrahedra(const PiecewiseLinearComplex& complex) {
   const PointSet& points = complex.points;
   if (complex.kind == DomainKind::kHull) {
@@ -162,8 +163,8 @@ bool is_compatible(const PointSet& points, const Simplex& a, const Simplex& b) {
   return std::any_of(a.begin(), a.end(), is_end) && std::any_of(b.begin(), b.end(), is_end);
 }
 
-// Points of a small grid, many of them collinear and cocircular, and segments that keep clear of the
-// other vertices and of one another.
+// Points of a small grid, many of them collinear and cocircular, and segments that keep clear of
+// the other vertices and of one another.
 rc::Gen<PiecewiseLinearInput> planar_inputs() {
   return rc::gen::exec([] {
     const long width = 2 + *generators::below(7);
@@ -251,8 +252,8 @@ TEST_CASE("planar CDT: fills the domain, the hull or what the segments enclose")
   }));
 }
 
-// C1 in the plane (Lemma 4.10): (i) every triangle is constrained Delaunay, from the definition, and
-// (iii) every edge that is no segment is locally Delaunay, under the perturbation.
+// C1 in the plane (Lemma 4.10): (i) every triangle is constrained Delaunay, from the definition,
+// and (iii) every edge that is no segment is locally Delaunay, under the perturbation.
 TEST_CASE("C1: in the plane, every edge that is no segment is locally Delaunay") {
   CHECK(holds("C1, statement (iii)", 200, [] {
     const PiecewiseLinearComplex complex = assemble(*planar_inputs());

@@ -82,8 +82,8 @@ TEST_CASE("C3 elsewhere gift-wrapping decides, and the others agree or cannot te
       ++answers[cdt ? found ? "yes" : "yes, not by insertion" : "no"];
     }
     if (complex.points.dimension() < 3) return;
-    // Independently: some constrained Delaunay tetrahedra fill the domain or not. The canonical CDT is
-    // one without perturbation as well; a generic complex has no other.
+    // Independently: some constrained Delaunay tetrahedra fill the domain or not. The canonical CDT
+    // is one without perturbation as well; a generic complex has no other.
     const auto any = existence::any_cdt(complex, regions);
     if (cdt) {
       RC_ASSERT(std::holds_alternative<existence::Exists>(any));

@@ -28,9 +28,10 @@ Complexes complexes_to_enumerate() {
   return rc::gen::oneOf(generators::any_complex(7), any_protected_complex(8));
 }
 
-// "Let P be a PLC in which every linear cell is a face of some polyhedron in P, so there are no dangling
-// polygons." What lies on a wall outside of every polyhedron plays no part in the three statements,
-// which are about tetrahedra and their facets; so complexes that have such cells are in as well.
+// "Let P be a PLC in which every linear cell is a face of some polyhedron in P, so there are no
+// dangling polygons." What lies on a wall outside of every polyhedron plays no part in the three
+// statements, which are about tetrahedra and their facets; so complexes that have such cells are in
+// as well.
 TEST_CASE("C1 the Constrained Delaunay Lemma: (i) iff (ii) iff (iii) (Lemma 4.10)") {
   std::size_t constrained_delaunay = 0, others = 0;
   CHECK(holds("three statements about a triangulation", 120, [&] {
@@ -110,8 +111,8 @@ TEST_CASE("C1 dangling triangles are constrained Delaunay iff theirs is a planar
   CHECK(occurs(others));
 }
 
-// "If the interior of a segment intersects the interior of a polygon, the segment is entirely included
-// in the polygon." (Exercise 1 of Chapter 4)
+// "If the interior of a segment intersects the interior of a polygon, the segment is entirely
+// included in the polygon." (Exercise 1 of Chapter 4)
 TEST_CASE("C1 a segment whose interior meets a polygon's is included in it (Exercise 1)") {
   std::size_t included = 0, kept_out = 0;
   CHECK(holds("segments and polygons", 150, [&] {

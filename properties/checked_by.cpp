@@ -2,13 +2,14 @@
 //
 //     checked_by tetgen|cgal IN.node OUT.ele [RULE...]
 //
-// makes wrong meshes of the points, by properties/faulty (its corruptions) and properties/mutations,
-// and hands each to the checker: `tetgen -rCC`, or is_valid() of CGAL's Delaunay_triangulation_3. The
-// first wrong mesh that the checker calls a Delaunay triangulation becomes the "mesh of the program",
-// which the campaign judges, groups by rule and makes small. If the checker sees through all, the exit
-// code is 7: say --refusal-exit-code 7. What TetGen vouches for is the mesh that it writes. Meshes that
-// leave out points are not tried, for who is handed simplices need not know of them; nor those that
-// break one of the rules first. All follows from the points, which are distinct and span the space.
+// makes wrong meshes of the points, by properties/faulty (its corruptions) and
+// properties/mutations, and hands each to the checker: `tetgen -rCC`, or is_valid() of CGAL's
+// Delaunay_triangulation_3. The first wrong mesh that the checker calls a Delaunay triangulation
+// becomes the "mesh of the program", which the campaign judges, groups by rule and makes small. If
+// the checker sees through all, the exit code is 7: say --refusal-exit-code 7. What TetGen vouches
+// for is the mesh that it writes. Meshes that leave out points are not tried, for who is handed
+// simplices need not know of them; nor those that break one of the rules first. All follows from
+// the points, which are distinct and span the space.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

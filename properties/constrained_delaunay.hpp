@@ -22,10 +22,10 @@ namespace circumspect::properties {
 // ---- PLC triangulations ----
 // All triangulations of a small complex, CDTs or not. Book: Definition 4.4.
 
-// Triangulations of the polyhedra of a complex that consist of some of the candidates, each with its
-// tetrahedra ascending, in no particular order: all of them, or as many as `limit`. Each is a solution
-// of the formula; a clause that forbids it lets the solver find the next.
-// Requires: every candidate respects the complex.
+// Triangulations of the polyhedra of a complex that consist of some of the candidates, each with
+// its tetrahedra ascending, in no particular order: all of them, or as many as `limit`. Each is a
+// solution of the formula; a clause that forbids it lets the solver find the next. Requires: every
+// candidate respects the complex.
 inline std::vector<std::vector<Simplex>> plc_triangulations(const PiecewiseLinearComplex& complex,
                                                             const Regions& regions,
                                                             const std::vector<Simplex>& candidates,
@@ -89,7 +89,8 @@ inline Point barycentre_of(const PointSet& points, const Simplex& simplex) {
   return barycentre(coordinates(points, simplex));
 }
 
-// Does the polygon include the triangle? Requires: the triangle respects a complex with the polygon.
+// Does the polygon include the triangle? Requires: the triangle respects a complex with the
+// polygon.
 inline bool is_included(const PointSet& points, const Simplex& triangle, const Polygon& polygon) {
   for (const Vertex v : triangle) {
     if (!std::binary_search(polygon.vertices.begin(), polygon.vertices.end(), v)) return false;
@@ -152,8 +153,8 @@ inline bool is_locally_delaunay(const PointSet& points, const std::vector<Simple
   return sign(power(points, circumball(points, star[0]), apex)) >= 0;
 }
 
-// The facets of a triangulation of the complex that no polygon includes, the hull's own facets being
-// polygons of the hull kind.
+// The facets of a triangulation of the complex that no polygon includes, the hull's own facets
+// being polygons of the hull kind.
 inline std::vector<Simplex> free_facets(const PiecewiseLinearComplex& complex,
                                         const Regions& regions,
                                         const std::vector<Simplex>& tetrahedra) {

@@ -235,8 +235,8 @@ TEST_CASE("the lexicographic triangulation is a triangulation (Sections 2.1, 4.1
   }
 }
 
-// Joining each point to what it sees of those before it is what a lower hull does whose heights grow
-// fast enough: 2^(200 i) for the i-th point, far more than these coordinates can balance.
+// Joining each point to what it sees of those before it is what a lower hull does whose heights
+// grow fast enough: 2^(200 i) for the i-th point, far more than these coordinates can balance.
 TEST_CASE("the lexicographic triangulation is that of heights that grow without bound") {
   for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);

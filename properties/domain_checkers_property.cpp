@@ -1,6 +1,6 @@
-// The two ways to judge a claim about a domain are one: by lemma and by definition, on CDTs, on other
-// triangulations, on finer ones and on broken meshes; and what the fast judge knows of a mesh changes no word
-// of the verdict. Book: Definitions 4.4 to 4.7, Lemma 4.10.
+// The two ways to judge a claim about a domain are one: by lemma and by definition, on CDTs, on
+// other triangulations, on finer ones and on broken meshes; and what the fast judge knows of a mesh
+// changes no word of the verdict. Book: Definitions 4.4 to 4.7, Lemma 4.10.
 #include <algorithm>
 #include <map>
 #include <set>

@@ -1,5 +1,5 @@
-// Every planted fault is found, soon, and nothing is found in programs without one. The table of them is what
-// comes out.
+// Every planted fault is found, soon, and nothing is found in programs without one. The table of
+// them is what comes out.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -30,8 +30,8 @@ TEST_CASE("the planted faults are ninety at least, each with its own name and a 
   CHECK(names.size() >= 90);
 }
 
-// Nothing is to be found in the programs without a fault that make the same claim, on the inputs that
-// it took to find this one. Returns how many such programs there are.
+// Nothing is to be found in the programs without a fault that make the same claim, on the inputs
+// that it took to find this one. Returns how many such programs there are.
 std::size_t check_right_programs(const Fault& fault, std::size_t inputs) {
   std::size_t programs = 0;
   for (Fault right : faulty::right_programs()) {

@@ -1,4 +1,5 @@
-// D7, D2: where the flip algorithm ends, and insertion by flips. Book: Section 4.4; Proposition 2.5.
+// D7, D2: where the flip algorithm ends, and insertion by flips. Book: Section 4.4; Proposition
+// 2.5.
 #include <algorithm>
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
-// The harness for programs in process: it finds nothing in right programs, and what is planted in wrong
-// ones, each by the property that it breaks, made as small as can be.
+// The harness for programs in process: it finds nothing in right programs, and what is planted in
+// wrong ones, each by the property that it breaks, made as small as can be.
 #include <algorithm>
 #include <map>
 #include <memory>

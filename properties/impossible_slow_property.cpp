@@ -1,6 +1,6 @@
-// C6: impossible stays impossible. Complexes without a triangulation or without a CDT: no construction
-// finds one, and a replayed refutation proves that there is none. Book: Section 4.5, Figures 4.10, 4.12,
-// 4.13 and 4.15, and Section 4.5.3 on Schönhardt's polyhedron.
+// C6: impossible stays impossible. Complexes without a triangulation or without a CDT: no
+// construction finds one, and a replayed refutation proves that there is none. Book: Section 4.5,
+// Figures 4.10, 4.12, 4.13 and 4.15, and Section 4.5.3 on Schönhardt's polyhedron.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -51,8 +51,8 @@ bool has_no_cdt_at_all(const PiecewiseLinearComplex& complex) {
   return is_proved_impossible(existence::any_cdt(complex, Regions(complex)));
 }
 
-// The two triangles 0 1 2 and 3 4 5 and six triangles between them, as Schönhardt's polyhedron has: an
-// octahedron, whose three pairs of vertices that are no edges are its diagonals.
+// The two triangles 0 1 2 and 3 4 5 and six triangles between them, as Schönhardt's polyhedron has:
+// an octahedron, whose three pairs of vertices that are no edges are its diagonals.
 const Simplex kDiagonals[] = {{0, 5}, {1, 3}, {2, 4}};
 
 // Of the four corners of any tetrahedron two are the ends of a diagonal. So a domain that contains

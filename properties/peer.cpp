@@ -27,7 +27,8 @@ struct Input {
   std::int64_t first_index = 0;
 };
 
-// Numbers one after the other, comments left out. By strtod, since streams refuse subnormal numbers.
+// Numbers one after the other, comments left out. By strtod, since streams refuse subnormal
+// numbers.
 class Numbers {
  public:
   explicit Numbers(const std::string& path) {

@@ -1,5 +1,6 @@
-// D9: the analysis of Section 5.4 as measurements. What happens on average over all permutations, or
-// all subsets, of a small set is computed exactly; what happens over BRIOs is measured over seeds.
+// D9: the analysis of Section 5.4 as measurements. What happens on average over all permutations,
+// or all subsets, of a small set is computed exactly; what happens over BRIOs is measured over
+// seeds.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -91,8 +92,8 @@ TEST_CASE("Proposition 5.2: of all permutations, n!/C(j+4,4) create a given j-te
 }
 
 // The proof of Proposition 5.1: in a random subset R that has each point with probability 1/j, the
-// expected number of tetrahedra of Del R is Σ_k p_k f_k, p_k = (1/j)^4 (1 − 1/j)^k. The proof goes on
-// with (1 − 1/j)^j ≥ 1/e, which holds in the limit only; for j ≥ 2 it is at least 1/4.
+// expected number of tetrahedra of Del R is Σ_k p_k f_k, p_k = (1/j)^4 (1 − 1/j)^k. The proof goes
+// on with (1 − 1/j)^j ≥ 1/e, which holds in the limit only; for j ≥ 2 it is at least 1/4.
 TEST_CASE("Proposition 5.1: F_j against the Delaunay triangulation of a random subset") {
   const PointSet points = generic_points(9, 2);
   REQUIRE(in_general_position(points));
@@ -129,8 +130,8 @@ TEST_CASE("Proposition 5.1: F_j against the Delaunay triangulation of a random s
   }
 }
 
-// Means over seeds: of a uniform order they come close to the expectation, of a BRIO they stay below
-// the bound, in sum and for each j.
+// Means over seeds: of a uniform order they come close to the expectation, of a BRIO they stay
+// below the bound, in sum and for each j.
 TEST_CASE("Proposition 5.3: what BRIOs create on average stays below the bound for each j") {
   const PointSet points = generic_points(26, 3);
   const auto numbers = delaunay::numbers_of_j_simplices(points);
@@ -163,8 +164,9 @@ TEST_CASE("Proposition 5.3: what BRIOs create on average stays below the bound f
   CHECK(abs(mean - expected) < expected / 20);
 }
 
-// Exercise 2 of Chapter 5: Del S is given, T inserted in random order. A tetrahedron with a triggers
-// and b stoppers in T, a > 0, and no stopper in S is created with probability 1 / C(a + b, a).
+// Exercise 2 of Chapter 5: Del S is given, T inserted in random order. A tetrahedron with a
+// triggers and b stoppers in T, a > 0, and no stopper in S is created with probability 1 / C(a + b,
+// a).
 TEST_CASE("Chapter 5, Exercise 2: inserting T into Del S, over all orders of T") {
   for (const std::size_t s : {4u, 6u, 9u}) {
     const std::size_t t = 5;

@@ -1,5 +1,6 @@
-// Meshes and every mutation of the catalogue, dealt to the ranks of an MPI program in all ways: they find the very
-// verdict that one process finds, word for word. `mpirun -n 3 ranks_property`; RANKS_CASES says how many meshes.
+// Meshes and every mutation of the catalogue, dealt to the ranks of an MPI program in all ways:
+// they find the very verdict that one process finds, word for word. `mpirun -n 3 ranks_property`;
+// RANKS_CASES says how many meshes.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -27,8 +28,8 @@
 namespace circumspect::properties {
 namespace {
 
-// All ranks of the program; those of one that mpirun has not started are one. They send each other no more than
-// some thirty items at a time.
+// All ranks of the program; those of one that mpirun has not started are one. They send each other
+// no more than some thirty items at a time.
 distributed::Ranks& world() {
   static const std::unique_ptr<distributed::Ranks> ranks = [] {
     MPI_Init(nullptr, nullptr);
@@ -39,8 +40,9 @@ distributed::Ranks& world() {
   return *ranks;
 }
 
-// A rank that leaves a test early never meets the others again, which would wait for it until the test's time is over. So
-// a test that fails at one rank ends all of them; what failed has been printed by then.
+// A rank that leaves a test early never meets the others again, which would wait for it until the
+// test's time is over. So a test that fails at one rank ends all of them; what failed has been
+// printed by then.
 class EndsAllRanks : public doctest::IReporter {
  public:
   explicit EndsAllRanks(const doctest::ContextOptions&) {}

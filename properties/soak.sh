@@ -2,7 +2,7 @@
 # A soak for as long as one likes: every property and every soak test, round after round, each round
 # on inputs that no run has seen before, until the minutes are over or one of them fails.
 #
-#     properties/soak.sh BUILD_FOLDER [MINUTES]        by default 30; `make soak MINUTES=…` builds first
+#     properties/soak.sh BUILD_FOLDER [MINUTES]        by default 30; `make soak` builds first
 #
 # What runs: the tests that `ctest` labels `property` or `soak`, those for soaking last, so that a
 # short soak sees every property once. Each round draws a seed and gives it to RapidCheck
@@ -10,9 +10,9 @@
 # test of the one before has been started. When the time is up, the tests that are running are
 # stopped and count as cut off, neither passed nor failed; their cases so far count as cases.
 #
-# A property may insist that some kind of input occurs (`occurs` in properties/arguments/run.hpp). That is a
-# fact about the fixed inputs of `make test`; CIRCUMSPECT_SOAK in the environment takes the question
-# back.
+# A property may insist that some kind of input occurs (`occurs` in properties/arguments/run.hpp).
+# That is a fact about the fixed inputs of `make test`; CIRCUMSPECT_SOAK in the environment takes
+# the question back.
 #
 # Exit 0: the time is up and nothing failed. Exit 1: something failed; its output, its seed and the
 # command that repeats it are printed. Exit 2: wrong usage, nothing to run.

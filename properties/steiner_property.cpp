@@ -63,10 +63,10 @@ rc::Gen<ComplexCase> fans(std::size_t dimension) {
   });
 }
 
-// Coordinates of a few dozen bits. The number of points that are added grows with the logarithm of the
-// ratio between the largest and the least distance: 600 or so halvings where doubles of all magnitudes
-// meet, which is as right as it is slow.
-// No hole seeds in hulls, which may lie in a facet of the hull that is no polygon.
+// Coordinates of a few dozen bits. The number of points that are added grows with the logarithm of
+// the ratio between the largest and the least distance: 600 or so halvings where doubles of all
+// magnitudes meet, which is as right as it is slow. No hole seeds in hulls, which may lie in a
+// facet of the hull that is no polygon.
 bool is_moderate(const ComplexCase& one) {
   if (one.input.kind == DomainKind::kHull && !one.input.hole_seeds.empty()) return false;
   return std::all_of(one.input.points.begin(), one.input.points.end(), [](const Point& point) {
@@ -157,9 +157,9 @@ void assert_same_polygons(const PiecewiseLinearComplex& complex,
   }
 }
 
-// A triangulation of the augmented complex: every piece of a segment is an edge of it, every polygon
-// as large as the triangles in it, every vertex there. (That it is a complex, the tests of the
-// constructions see to.)
+// A triangulation of the augmented complex: every piece of a segment is an edge of it, every
+// polygon as large as the triangles in it, every vertex there. (That it is a complex, the tests of
+// the constructions see to.)
 void assert_conforms(const PiecewiseLinearComplex& complex, const PlcTriangulation& triangulation) {
   std::vector<Simplex> all = triangulation.simplices;
   all.insert(all.end(), triangulation.dangling.begin(), triangulation.dangling.end());

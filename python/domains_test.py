@@ -44,7 +44,8 @@ def test_domains():
         [*SQUARE["vertices"], [.25, .25], [.75, .25], [.5, .75]], [*SQUARE["segments"], [4, 5], [5, 6], [6, 4]],
         holes=[[.5, .5]])
     assert len(circumspect.constrained_delaunay(holed).simplices) == 7
-    # A square hole through a cube: without the holes in its lid and floor, the shaft would be filled.
+    # A square hole through a cube: without the holes in its lid and floor, the shaft would be
+    # filled.
     outer = [[x, y, z] for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
     inner = [[x, y, z] for z in (0, 4) for x, y in ((1, 1), (3, 1), (3, 3), (1, 3))]
     sides = [[s + i, s + (i + 1) % 4, s + (i + 1) % 4 + 4, s + i + 4] for s in (0, 8) for i in range(4)]
@@ -58,7 +59,8 @@ def test_domains():
         volumes.append(np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 6)
         assert circumspect.check(outer + inner, built, domain=domain)
     assert volumes == pytest.approx([64, 48])
-    # Turned by exact numbers, so that neither the lids' planes nor the seeds in them have double coordinates.
+    # Turned by exact numbers, so that neither the lids' planes nor the seeds in them have double
+    # coordinates.
     third = Fraction(1, 3)
     turned = [[x + third * z, y - third * x, z + third * y] for x, y, z in outer + inner]
     seeds = {8: [[2, 2 - 2 * third, 2 * third]], 9: [[2 + 4 * third, 2 - 2 * third, 4 + 2 * third]]}

@@ -41,7 +41,8 @@ def test_what_is_filled(options, area, tmp_path):
     assert filled_area(circumspect.domains.domain_of({"points": RINGS, "segments": LOOPS, **options})) == pytest.approx(area)
     if not COMMAND.exists():
         return
-    # The command and the package judge the same mesh of the same domain, and a mesh of the whole, alike.
+    # The command and the package judge the same mesh of the same domain, and a mesh of the whole,
+    # alike.
     plain = circumspect.Domain(RINGS, LOOPS, kind="enclosed")
     (tmp_path / "d.poly").write_text(_core.poly_text(plain.lists()), encoding="utf-8")
     (tmp_path / "d.node").write_text("".join([f"{len(RINGS)} 2\n", *(f"{i} {x} {y}\n" for i, (x, y) in enumerate(RINGS))]),
@@ -91,7 +92,8 @@ def test_polygons_of_one_plane_are_joined():
     built = circumspect.constrained_delaunay(whole).simplices
     assert circumspect.check(CUBE, built, domain=whole).claim == "cdt"
     assert "domain.segment-missing" in circumspect.check(CUBE, built, domain=cut).rules
-    # A polygon is named by its place in the domain's list, from 0, and a joined one by that of its first part.
+    # A polygon is named by its place in the domain's list, from 0, and a joined one by that of its
+    # first part.
     edges = [[row[i], row[i + 1]] for row in QUADS for i in (-1, 0, 1, 2)]
     missing = circumspect.check(types.SimpleNamespace(points=CUBE, cells_dict={"tetra": built[1:], "line": edges}),
                                 domain=whole)

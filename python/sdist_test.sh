@@ -1,8 +1,9 @@
 #!/bin/bash
-# Packs the sources as `python3 -m build --sdist` does, and looks whether the archive has all that compiles the module:
+# Packs the sources as `python3 -m build --sdist` does, and looks whether the archive has all that
+# compiles the module:
 #   python/sdist_test.sh BUILD [PYTHON]
-# BUILD has built circumspect_python, as build/release has, and so knows which files that read. With --build, the module
-# is compiled from the archive, which takes minutes, and installed.
+# BUILD has built circumspect_python, as build/release has, and so knows which files that read. With
+# --build, the module is compiled from the archive, which takes minutes, and installed.
 set -euo pipefail
 
 build=$(realpath "${1:?usage: python/sdist_test.sh BUILD [PYTHON] [--build]}")

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Builds the wheel, installs it into a clean virtual environment, and judges there as a stranger would:
+# Builds the wheel, installs it into a clean virtual environment, and judges there as a stranger
+# would:
 #   python/wheel_test.sh BUILD [PYTHON]
 # BUILD has the module circumspect_python, as build/release has.
 set -euo pipefail
@@ -28,7 +29,8 @@ quietly "$python" -m build --wheel --no-isolation --outdir "$work/wheels" .
 quietly "$python" -m venv --system-site-packages --without-pip "$work/clean"
 quietly "$python" -m pip --python "$work/clean/bin/python" install --no-index --no-deps "$work"/wheels/*.whl
 
-# As the first page of the documentation says, where another python3 comes first on the path, as pyenv and conda put theirs.
+# As the first page of the documentation says, where another python3 comes first on the path, as
+# pyenv and conda put theirs.
 line=$(grep -o '`[^`]*pip install --no-build-isolation \.`' "$root/README.md" | tr -d '`')
 mkdir "$work/other"
 printf '#!/bin/sh\necho "this python3 has no packages" >&2\nexit 1\n' >"$work/other/python3"

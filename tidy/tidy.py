@@ -14,7 +14,7 @@ import sys
 # `circumspect_layer(...)` in CMakeLists.txt say the same to the linker.
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages", "rule"])]
-COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
+COMMAND = ["reference", "reference/optimality", "reference/constrained", "reference/existence",
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
@@ -27,6 +27,7 @@ ARROWS = {
     "reference/optimality": ["reference/delaunay"],
     "reference/constrained": ["reference/delaunay", "kernel/piecewise_linear"],
     "reference/existence": ["kernel/piecewise_linear"],
+    "reference": ["reference/constrained"],
     "include/circumspect": [],
     "inputs": ["kernel/piecewise_linear", "include/circumspect"],
     "inputs/triangulated": ["reference/delaunay", "inputs"],
@@ -50,7 +51,7 @@ ARROWS = {
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "inputs"],
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
-    "c": ["reference/constrained", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
+    "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
           "inputs/triangulated"],
     "python": ["c", "fuzz/harness"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
@@ -71,6 +72,10 @@ ARROWS = {
                "properties/arguments", "properties/mutations", "corpus"],
     "bench": ["reference/constrained", "oracle/report", "fuzz/harness"],
 }
+# The one header by which these folders may ask the book for a construction, so that none of them depends on an
+# algorithm of it: what shows a mesh to be wrong must not be what built it.
+CONSTRUCTIONS = "reference/constructions.hpp"
+BY_CONSTRUCTIONS = ["oracle", "c", "python", "include", "fuzz/harness"]
 # What a test beside its layer may include on top of what the layer may.
 TESTS_ALSO = ["inputs", "properties/arguments"]
 
@@ -90,6 +95,12 @@ NUMBER_LIBRARY_FOLDERS = ["kernel/exact", "bench"]
 WEB_FOLDERS = ["kernel", "reference", "oracle", "inputs", "command"]
 
 LONGEST_FILE, LONG_FILE = 450, 400
+LONGEST_FUNCTION = 60  # a screen; a table that a function returns is read row by row, and may be longer
+WIDEST_COMMENT = 100
+# What does not keep to these rules yet.
+LONG_FUNCTIONS = ["oracle/judge", "oracle/formats", "fuzz/targets"]
+BANNERS = ["oracle/judge", "oracle/formats"]
+WIDE_COMMENTS = ["oracle"]
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
 CPP = (".hpp", ".cpp", ".h")
 SOURCES = CPP + (".py", ".sh", ".cmake", "CMakeLists.txt")
@@ -98,6 +109,9 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 NUMBER_LIBRARY = re.compile(r"\b(mp[zqf]_\w+|mpfr_\w+|__gmp\w+|gmp_\w+)|<(gmp|gmpxx|mpfr)\.h>")
 RANGES = re.compile(r"\bstd::(ranges|views)::")
 FLOATING = re.compile(r"\b(float|double)\b")
+BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?-{3,} .*-{3,}")
+COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP, "//")}
+NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 LAYER = re.compile(r"circumspect_layer\((\w+)\s+([\w/]+)([^)]*)\)")
 NOT_CODE = re.compile(
@@ -142,6 +156,36 @@ def code_only(text):
     return NOT_CODE.sub(blank, text)
 
 
+def is_table(body):
+    """Does a function do nothing but return rows between braces?"""
+    depth = 0
+    for match in re.finditer(r"[{}]", body):
+        depth += 1 if match[0] == "{" else -1
+        if depth == 0:
+            return body.startswith("return {") and body[match.end():].strip() == ";"
+    return False
+
+
+def functions(code):
+    """The functions of code without comments: the line of each, how many lines it has, and whether it only returns a table."""
+    code = re.sub(r"(?m)^\s*#.*$", "", code)  # directives end in no semicolon
+    opened, found = [], []  # of each open brace: where it is, where what stands before it begins, and is it a function's?
+    begin = 0
+    for match in re.finditer(r"[{};]", code):
+        if match[0] == "{":
+            head = code[begin:match.start()]
+            start = begin + len(head) - len(head.lstrip())
+            is_function = "(" in head and not NO_FUNCTION.match(head.strip()) and not any(one[2] for one in opened)
+            opened.append((match.end(), start, is_function))
+        elif match[0] == "}" and opened:
+            inside_of, start, is_function = opened.pop()
+            if is_function:
+                body = code[inside_of:match.start()].strip()
+                found.append((code.count("\n", 0, start) + 1, code.count("\n", start, match.end()) + 1, is_table(body)))
+        begin = match.end()
+    return found
+
+
 def is_test(path):
     return path.endswith(("_test.cpp", "_property.cpp", "_fuzz.cpp"))
 
@@ -169,6 +213,10 @@ class Tidy:
                     text = file.read()
                 self.name(path)
                 self.layout(path, text)
+                if not path.startswith("tidy/"):
+                    self.comments(path, text)
+                if name.endswith(CPP):
+                    self.functions(path, code_only(text))
                 if name.endswith(CPP) and not inside(path, APART):
                     self.folder(path)
                     self.code(path, code_only(text))
@@ -199,6 +247,20 @@ class Tidy:
             mark = MARK.search(line)
             if mark and not path.startswith("tidy/"):
                 self.fault(path, number, "mark", f"finish what {mark[1]} marks, or open an issue")
+
+    def comments(self, path, text):
+        mark = next(mark for ending, mark in COMMENT.items() if path.endswith(ending))
+        for number, line in enumerate(text.split("\n"), 1):
+            if BANNER.match(line) and not inside(path, BANNERS):
+                self.fault(path, number, "banner", "no banner replaces a file: split it by its ideas, or leave the banner out")
+            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark + " ") and not inside(path, WIDE_COMMENTS):
+                self.fault(path, number, "comment", f"end the line of a comment at {WIDEST_COMMENT} columns")
+
+    def functions(self, path, code):
+        for line, count, is_table in functions(code):
+            if count > LONGEST_FUNCTION and not is_table and not inside(path, LONG_FUNCTIONS):
+                self.fault(path, line, "function", f"{count} lines are more than a screen; cut the function where "
+                           f"an idea ends (at most {LONGEST_FUNCTION} lines)")
 
     def folder(self, path):
         folder = path.rpartition("/")[0]
@@ -236,6 +298,9 @@ class Tidy:
         if quote == '"' and top not in {folder.split("/")[0] for folder in ARROWS}:
             self.fault(path, number, "include",
                        f"write the path of \"{target}\" from the root of the repository, or <...>")
+        elif target.startswith("reference/") and inside(path, BY_CONSTRUCTIONS) and target != CONSTRUCTIONS:
+            self.fault(path, number, "constructions",
+                       f"include {CONSTRUCTIONS}, which names what others may ask of the book")
         elif layer in ARROWS:
             folder = path.rpartition("/")[0]
             allowed = visible_from(folder)

@@ -24,9 +24,18 @@ def faults(path, text):
 
 class Arrows(unittest.TestCase):
     def test_a_checker_must_not_see_a_construction(self):
-        self.assertEqual(faults("oracle/judge/points/a.cpp", '\n#include "reference/delaunay/b.hpp"\n'),
-                         ["oracle/judge/points/a.cpp:2: arrow: oracle/judge/points must not see "
+        self.assertEqual(faults("kernel/complex/a.cpp", '\n#include "reference/delaunay/b.hpp"\n'),
+                         ["kernel/complex/a.cpp:2: arrow: kernel/complex must not see "
                           "reference/delaunay; move what it needs to a layer that both see"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "reference/constructions.hpp"\n'), ["arrow"])
+
+    def test_others_ask_the_book_by_one_header(self):
+        for folder in ["oracle/judge/points", "c", "python", "include/circumspect", "fuzz/harness"]:
+            for header in ["reference/delaunay/b.hpp", "reference/constrained/b.hpp", "reference/b.hpp"]:
+                for name in ["a.cpp", "a_test.cpp"]:
+                    self.assertEqual(rules(f"{folder}/{name}", f'#include "{header}"\n'), ["constructions"])
+        self.assertEqual(rules("c/a.cpp", '#include "reference/constructions.hpp"\n'), [])
+        self.assertEqual(rules("command/build/a.cpp", '#include "reference/delaunay/b.hpp"\n'), [])
 
     def test_the_reference_must_not_see_the_oracle(self):
         for folder in tidy.ARROWS:
@@ -35,7 +44,7 @@ class Arrows(unittest.TestCase):
                     self.assertEqual(rules(f"{folder}/a.hpp", f'#include "{header}"\n'), ["arrow"])
 
     def test_angle_brackets_do_not_hide_an_arrow(self):
-        self.assertEqual(rules("oracle/judge/points/a.cpp", "#include <reference/delaunay/b.hpp>\n"), ["arrow"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "#include <reference/delaunay/b.hpp>\n"), ["constructions"])
 
     def test_an_arrow_leads_through_the_layers_between(self):
         self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "kernel/exact/number.hpp"\n'), [])
@@ -109,6 +118,40 @@ class Style(unittest.TestCase):
     def test_a_file_holds_one_idea(self):
         self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 450), [])
         self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 451), ["length"])
+
+    def test_a_function_fits_a_screen(self):
+        def function(lines, row="  f();\n", head="int f(int a) {"):
+            return f"{head}\n{row * (lines - 2)}}}\n"
+        self.assertEqual(rules("kernel/exact/a.cpp", function(60)), [])
+        self.assertEqual(faults("kernel/exact/a.cpp", "\n" + function(61)),
+                         ["kernel/exact/a.cpp:2: function: 61 lines are more than a screen; cut the function "
+                          "where an idea ends (at most 60 lines)"])
+        for head in ["template <class T>\nvoid f(T (*g)()) {", 'TEST_CASE("a {") {', "A::A(int b) : c(b) {",
+                     "struct B {\n  void f() const {"]:
+            self.assertEqual(rules("kernel/exact/a_test.cpp", function(62, head=head)), ["function"], head)
+        for text in [function(80, head="struct B {", row="  void f();\n"), function(80, head='extern "C" {'),
+                     function(80, row="  // a {\n", head="namespace a {")]:
+            self.assertEqual(rules("kernel/exact/a.cpp", text), [], text)
+        self.assertEqual(rules("oracle/judge/points/a.cpp", function(61)), [])
+
+    def test_a_table_is_read_row_by_row(self):
+        rows = '      {"a;", "b", {1, 2}, [] { return 1; }},\n' * 80
+        self.assertEqual(rules("kernel/exact/a.cpp", f"T f() {{\n  return {{\n{rows}  }};\n}}\n"), [])
+        self.assertEqual(rules("kernel/exact/a.cpp", f"T f() {{\n  g();\n  return {{\n{rows}  }};\n}}\n"), ["function"])
+
+    def test_no_banner_replaces_a_file(self):
+        for path, line in [("kernel/exact/a.cpp", "// ---- Points ----"), ("kernel/exact/a.hpp", "  // --- Points ---"),
+                           ("python/a.py", "# ---- points ----"), ("cmake/a.cmake", "# ---- points ----")]:
+            self.assertEqual(rules(path, line + "\n"), ["banner"], line)
+        for line in ["// a -- b", "// --points and --mesh", "// ----", "int a = b--- --c;"]:
+            self.assertEqual(rules("kernel/exact/a.cpp", line + "\n"), [], line)
+        self.assertEqual(rules("oracle/formats/a.cpp", "// ---- Points ----\n"), [])
+
+    def test_comments_end_at_a_hundred_columns(self):
+        self.assertEqual(rules("kernel/exact/a.cpp", "// " + "é" * 97 + "\n"), [])
+        self.assertEqual(rules("kernel/exact/a.cpp", "  // " + "a" * 96 + "\n"), ["comment"])
+        self.assertEqual(rules("cmake/a.sh", "# " + "a" * 99 + "\n"), ["comment"])
+        self.assertEqual(rules("cmake/a.sh", "echo " + "a" * 99 + "\n"), [])
 
     def test_a_name_says_what_the_file_is_about(self):
         for name in ["util.hpp", "point_utils.cpp", "test_helpers.hpp", "mesh_manager.hpp",

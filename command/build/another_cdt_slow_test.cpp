@@ -1,6 +1,6 @@
-// build cdt, inspect and check agree on random domains whose vertices are cospherical, many of which
-// have a CDT that is not the canonical one. Book: Proposition 4.12 says of generic ones that they have
-// no second.
+// build cdt, inspect and check agree on random domains whose vertices are cospherical, many of
+// which have a CDT that is not the canonical one. Book: Proposition 4.12 says of generic ones that
+// they have no second.
 #include <array>
 #include <cstdint>
 #include <random>

@@ -234,7 +234,7 @@ std::string usual_algorithm(const std::string& what) {
   if (what == "planar-cdt") return "gift-wrapping";
   if (what == "steiner-cdt") return "polygon-flips; in the plane, gift-wrapping";
   return fmt::format("gift-wrapping; for more than {} vertices in space, polygon-flips",
-                     kFewVertices);
+                     reference::kFewVertices);
 }
 
 const std::string kOfPolygons =

@@ -32,10 +32,10 @@ std::vector<Simplex> facets_in(const Polygon& polygon, const std::vector<Simplex
   return in_polygon;
 }
 
-// The tetrahedra are those of a CDT. Where a polygon has some of the domain beside it, they tile it;
-// elsewhere it dangles, and its planar CDT is as good as any. Segments bound these parts of a
-// polygon, and no triangle of either kind crosses a segment: so a triangle of the planar CDT is in a
-// tiled part iff its barycentre is in one of the tiles.
+// The tetrahedra are those of a CDT. Where a polygon has some of the domain beside it, they tile
+// it; elsewhere it dangles, and its planar CDT is as good as any. Segments bound these parts of a
+// polygon, and no triangle of either kind crosses a segment: so a triangle of the planar CDT is in
+// a tiled part iff its barycentre is in one of the tiles.
 PlcTriangulation completed(const PiecewiseLinearComplex& complex, std::vector<Simplex> tetrahedra) {
   const std::vector<Simplex> facets = facets_of(tetrahedra);
   std::set<Simplex> faces(complex.segments.begin(), complex.segments.end());
@@ -82,7 +82,7 @@ CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits
                        bool insert, const std::string& name, Output& output) {
   CdtDecision decision;
   const std::size_t vertices = complex.points.size();
-  if (insert && vertices > kFewVertices) {
+  if (insert && vertices > reference::kFewVertices) {
     output.begin("inserting the polygons of " + name);
     auto inserted = constrained::cdt_by_polygon_insertion(
         complex, {constrained::PolygonInsertion::kFlips, {}, output.progress()});

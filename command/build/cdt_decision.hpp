@@ -1,5 +1,6 @@
-// Whether a domain in space has a constrained Delaunay triangulation without Steiner points, and which.
-// `inspect` prints the answer, and `build cdt` writes the triangulation. Book: Sections 4.5 and 5.6.
+// Whether a domain in space has a constrained Delaunay triangulation without Steiner points, and
+// which. `inspect` prints the answer, and `build cdt` writes the triangulation. Book: Sections 4.5
+// and 5.6.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "command/output/output.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constructions.hpp"
 #include "reference/existence/existence.hpp"
 
 namespace circumspect::cli {
@@ -18,10 +20,6 @@ namespace circumspect::cli {
 // cospherical vertices may still allow another.
 enum class CdtAnswer { kCanonical, kAnother, kNone, kUnknown };
 std::string_view word(CdtAnswer answer);
-
-// In domains of more vertices the polygons are inserted, which is fast and finds most canonical CDTs;
-// gift-wrapping, which finds all, takes time in proportion to the square of the vertices and more.
-constexpr std::size_t kFewVertices = 200;
 
 struct SearchLimits {
   std::size_t vertices = 60;
@@ -39,15 +37,15 @@ struct CdtDecision {
   std::string limit = {};                                // kUnknown: what stopped the search
 };
 
-// Gift-wrapping decides about the canonical one, if the insertion of polygons has not found it before
-// (`insert`: in domains of more than kFewVertices vertices that is tried first); then a search that is
-// exponential at worst, and so has limits, about any. `name` is that of the domain, for whoever waits.
-// Requires: the complex is in space, and valid.
+// Gift-wrapping decides about the canonical one, if the insertion of polygons has not found it
+// before (`insert`: in domains of more than reference::kFewVertices vertices that is tried first);
+// then a search that is exponential at worst, and so has limits, about any. `name` is that of the
+// domain, for whoever waits. Requires: the complex is in space, and valid.
 CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits& limits,
                        bool insert, const std::string& name, Output& output);
 
-// How long gift-wrapping takes, about, on a machine of 2023: from a ball of 1,200 vertices with bumps, a
-// double cone of 1,000 and prisms.
+// How long gift-wrapping takes, about, on a machine of 2023: from a ball of 1,200 vertices with
+// bumps, a double cone of 1,000 and prisms.
 double seconds_of_gift_wrapping(std::size_t vertices);
 
 // The limits of any search for a triangulation.

@@ -32,10 +32,10 @@ struct NoMesh {
 // What is to be made of a domain, and how.
 struct DomainConstruction {
   std::string what;  // planar-cdt, cdt, steiner-cdt or conforming-delaunay
-  // One of `algorithms_for` it. If none is asked for: gift-wrapping; but for a steiner-cdt in space,
-  // which is that of an edge-protected domain, and for a cdt of one with more than kFewVertices
-  // vertices, polygon-flips, if it succeeds. For a cdt in space, where there is no canonical one,
-  // then a search for another. An algorithm that is asked for is not
+  // One of `algorithms_for` it. If none is asked for: gift-wrapping; but for a steiner-cdt in
+  // space, which is that of an edge-protected domain, and for a cdt of one with more than
+  // reference::kFewVertices vertices, polygon-flips, if it succeeds. For a cdt in space, where
+  // there is no canonical one, then a search for another. An algorithm that is asked for is not
   // replaced by that search, but whether there is none at all is decided in either case.
   std::optional<std::string> algorithm = {};
   SearchLimits search = {};                  // cdt

@@ -27,7 +27,8 @@ formats::SimplexFile numbered(const std::vector<Simplex>& simplices, std::size_t
   return file;
 }
 
-// Those of full dimension, positively oriented. (Triangles of polygons in space have no orientation.)
+// Those of full dimension, positively oriented. (Triangles of polygons in space have no
+// orientation.)
 formats::SimplexFile simplices_of(const DomainMesh& mesh, Vertex first_index) {
   const std::size_t full = mesh.points.ambient_dimension() + 1;
   std::vector<Simplex> simplices = mesh.triangulation.simplices;
@@ -92,8 +93,8 @@ ElementWriter writer_of(const std::string& extension) {
   return extension == ".vtu" ? formats::write_vtu : nullptr;
 }
 
-// Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any name,
-// has nothing beside it.
+// Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any
+// name, has nothing beside it.
 bool has_files_beside(const std::string& path) { return formats::extension(path) == ".ele"; }
 bool is_stream(const std::string& path) {
   const std::string end = formats::extension(path);

@@ -9,14 +9,14 @@ namespace circumspect::cli {
 // Why the vertices of this mesh cannot be counted from `first_index`; empty if they can.
 std::string numbering_fault(const DomainMesh& mesh, Vertex first_index);
 
-// What is wrong with writing this mesh there; empty if nothing is. An .ele alone, as "-" gets, holds
-// neither what dangles nor points that the domain does not have.
+// What is wrong with writing this mesh there; empty if nothing is. An .ele alone, as "-" gets,
+// holds neither what dangles nor points that the domain does not have.
 std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh);
 
-// OUT.ele, and beside it OUT.node, OUT.face (in space) and OUT.edge; or OUT.mesh, OUT.msh, OUT.vtu or OUT.json; or
-// what can be seen of it, the surface and what dangles, in OUT.obj or OUT.ply; "-":
-// the .ele on stdout. Indices are counted from `first_index`. Requires: numbering_fault is empty. Returns an error message, or an empty
-// string.
+// OUT.ele, and beside it OUT.node, OUT.face (in space) and OUT.edge; or OUT.mesh, OUT.msh, OUT.vtu
+// or OUT.json; or what can be seen of it, the surface and what dangles, in OUT.obj or OUT.ply; "-":
+// the .ele on stdout. Indices are counted from `first_index`. Requires: numbering_fault is empty.
+// Returns an error message, or an empty string.
 std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index);
 
 // The files that write_domain_mesh writes.

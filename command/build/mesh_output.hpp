@@ -17,9 +17,9 @@
 
 namespace circumspect::cli {
 
-// What is wrong with OUT of `-o OUT`, if only files of some extensions and "-" can be written; empty
-// if nothing is. Whatever is there and no file, a pipe say, may have any name, and then gets what
-// would go to standard output.
+// What is wrong with OUT of `-o OUT`, if only files of some extensions and "-" can be written;
+// empty if nothing is. Whatever is there and no file, a pipe say, may have any name, and then gets
+// what would go to standard output.
 std::string output_name_fault(const std::string& path,
                               const std::vector<std::string_view>& extensions);
 
@@ -41,14 +41,15 @@ std::string points_beside(const std::string& path, const std::string& input);
 // which simplex_file lists both; −1 on the hull.
 formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
-// The document lists the points itself, without those that were merged, so that vertices are counted
-// among these.
+// The document lists the points itself, without those that were merged, so that vertices are
+// counted among these.
 formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
 // ---- Constructions ----
 // The constructions of the canonical Delaunay triangulation, by the names that users type.
 
-// What a construction may be told, and what it may tell. Orders and locations concern Bowyer–Watson.
+// What a construction may be told, and what it may tell. Orders and locations concern
+// Bowyer–Watson.
 struct ConstructionOptions {
   delaunay::BowyerWatsonOptions bowyer_watson = {};
   delaunay::Statistics* statistics = nullptr;

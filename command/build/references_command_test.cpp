@@ -1,5 +1,5 @@
-// circumspect build with every algorithm, of weighted sets, subdivisions and all triangulations; and
-// inspect --simplex, as their users run them.
+// circumspect build with every algorithm, of weighted sets, subdivisions and all triangulations;
+// and inspect --simplex, as their users run them.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"

@@ -36,7 +36,8 @@ std::string counts(const std::vector<Simplex>& simplices, int dimension) {
   return text;
 }
 
-// The lifted companions, stretched along the axis to the extent of the points, which is an affine map.
+// The lifted companions, stretched along the axis to the extent of the points, which is an affine
+// map.
 std::vector<Point> lifted_to_be_seen(const PointSet& points) {
   std::vector<Rational> heights;
   Rational extent = 0;

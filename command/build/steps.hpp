@@ -19,7 +19,8 @@ namespace circumspect::cli {
 inline constexpr std::size_t kMostStepPoints = 200;
 inline constexpr std::size_t kMostSteps = 600;
 
-// Is told by a construction what it does, and makes frames of it, each with the book's name of the step.
+// Is told by a construction what it does, and makes frames of it, each with the book's name of the
+// step.
 class Steps {
  public:
   // The points outlive it.
@@ -35,12 +36,13 @@ class Steps {
   // It has come to these.
   void done(const std::vector<Simplex>& simplices);
 
-  // For picture::Facts: `picture` has the points, of the plane also lifted ones if any were wrapped, and `frames`
-  // what changes:
+  // For picture::Facts: `picture` has the points, of the plane also lifted ones if any were
+  // wrapped, and `frames` what changes:
   //   step, words        the book's name of the step, and what it does
   //   deleted, created   simplices, by the places of their points
   //   look               simplices that are looked at
-  //   vertex, face       likewise, those that there are; `ball`: the simplex whose circumball is drawn;
+  //   vertex, face       likewise, those that there are; `ball`: the simplex
+  //                      whose circumball is drawn;
   //   outline            the corners of a polygon, in no order
   report::Json json();
 

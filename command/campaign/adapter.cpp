@@ -13,7 +13,8 @@
 
 namespace circumspect::cli {
 
-// The texts of fuzz/adapters, by the extensions of their names: ".py". command/CMakeLists.txt writes them.
+// The texts of fuzz/adapters, by the extensions of their names: ".py". command/CMakeLists.txt
+// writes them.
 const std::map<std::string, std::string>& adapters();
 
 void add_adapter(CLI::App& app, ExitCode& exit_code) {

@@ -1,4 +1,5 @@
-// circumspect campaign and minimize, as their users run them, on programs that are right, wrong and rough.
+// circumspect campaign and minimize, as their users run them, on programs that are right, wrong and
+// rough.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
 #include "command/options/domain_options.hpp"
 #include "fuzz/campaign/outcome.hpp"
 #include "inputs/minimise.hpp"
@@ -54,21 +52,7 @@ struct SubjectOptions {
   }
 };
 
+// The options outlive the command.
 void add_subject_options(CLI::App& command, SubjectOptions& options);
-
-// Text such as "2G", "512M", "64k" or "0" as bytes: for options. Returns what is wrong with it, or an empty string.
-std::string read_bytes(const std::string& text, std::uint64_t& bytes);
-
-// An option whose value is such a text.
-void add_duration(CLI::App& command, const std::string& name, std::optional<double>& seconds,
-                  const std::string& about);
-
-// A note, for people, on an argument of the command that is also the name of a file; empty if there is none.
-std::string note_on_names(const SubjectOptions& options);
-
-// The program as it is to be run. Errors: what is wrong with the options, for people; `not_found` is
-// set if it is that there is no such program.
-tl::expected<campaign::Subject, std::string> subject_of(const SubjectOptions& options,
-                                                        bool& not_found);
 
 }  // namespace circumspect::cli

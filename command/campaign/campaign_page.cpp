@@ -26,8 +26,8 @@ std::string small_input(const std::string& path) {
   return on_lines(text.str());
 }
 
-// Adds what is judged of a finding: the mesh in `path`, of the points or the domain in `input_file`.
-// False if it cannot be read any more.
+// Adds what is judged of a finding: the mesh in `path`, of the points or the domain in
+// `input_file`. False if it cannot be read any more.
 bool add_judged(const report::Json& finding, const std::string& path, const std::string& input_file,
                 const campaign::Subject& subject, picture::Page& page) {
   const std::string extension = formats::extension(path);

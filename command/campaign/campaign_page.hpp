@@ -9,13 +9,14 @@
 
 namespace circumspect::cli {
 
-// A table of families and outcomes, and a card for each signature: the small input, the script that repeats
-// it, and where a rule is broken, pictures of the witnesses in the mesh that the program made of that input.
+// A table of families and outcomes, and a card for each signature: the small input, the script that
+// repeats it, and where a rule is broken, pictures of the witnesses in the mesh that the program
+// made of that input.
 picture::Page campaign_page(const campaign::Result& result, const campaign::Plan& plan,
                             const std::string& program);
 
-// What is left of one input: a card of the last run of the program, which was on this input. `finding` as Page::add_finding
-// takes it.
+// What is left of one input: a card of the last run of the program, which was on this input.
+// `finding` as Page::add_finding takes it.
 picture::Page minimal_page(report::Json finding, const campaign::Input& input,
                            const campaign::Subject& subject, const campaign::Runner& runner);
 

@@ -42,7 +42,8 @@ std::size_t found_in(const Counts& counts) {
   return sum;
 }
 
-// Is it as write_minimal writes it, as far as anybody here reads it? Whatever has the folder may have changed it.
+// Is it as write_minimal writes it, as far as anybody here reads it? Whatever has the folder may
+// have changed it.
 bool are_details(const report::Json& details) {
   const auto is_count = [&details](const char* key) {
     return details.contains(key) && details[key].is_number_unsigned();
@@ -51,8 +52,8 @@ bool are_details(const report::Json& details) {
          is_count("points") && is_count("minimal_points");
 }
 
-// What stands in the folder of a finding: the first result of verdict.json; nothing if that cannot be read, or is not as
-// it was written.
+// What stands in the folder of a finding: the first result of verdict.json; nothing if that cannot
+// be read, or is not as it was written.
 report::Json details_of(const Finding& finding) {
   constexpr int kDeepest = 64;
   const std::string path = finding.folder + "/verdict.json";
@@ -72,7 +73,8 @@ report::Json details_of(const Finding& finding) {
   return is_whole ? results.front() : report::Json::object();
 }
 
-// XML has no way to say a control character, nor bytes that are no UTF-8: those have been written otherwise.
+// XML has no way to say a control character, nor bytes that are no UTF-8: those have been written
+// otherwise.
 std::string for_xml(const std::string& text) {
   std::string result;
   for (const char c : on_lines(text)) {

@@ -11,6 +11,7 @@
 #include "command/campaign/campaign_options.hpp"
 #include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_report.hpp"
+#include "command/campaign/subject.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
@@ -114,7 +115,8 @@ tl::expected<std::unique_ptr<campaign::Runner>, std::string> new_runner(
   }
 }
 
-// Then it fails on all inputs, as a program does that cannot start. Domains without points are not given to programs.
+// Then it fails on all inputs, as a program does that cannot start. Domains without points are not
+// given to programs.
 bool fails_without_points(const campaign::Input& input, const campaign::Outcome& outcome,
                           campaign::Runner& runner) {
   if (!std::holds_alternative<campaign::PointsCase>(input)) return false;

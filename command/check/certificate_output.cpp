@@ -15,7 +15,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/constructions.hpp"
 #include "reference/existence/existence.hpp"
 
 namespace circumspect::cli {
@@ -33,7 +33,8 @@ std::optional<std::vector<Simplex>> others(std::vector<Simplex> all, std::vector
   return rest;
 }
 
-// In the plane the edges of the triangles are the segments of a domain, of which these are triangles.
+// In the plane the edges of the triangles are the segments of a domain, of which these are
+// triangles.
 std::optional<std::vector<Simplex>> fill_in_plane(const PointSet& points,
                                                   const std::vector<Simplex>& triangles) {
   std::set<Simplex> edges;
@@ -43,7 +44,8 @@ std::optional<std::vector<Simplex>> fill_in_plane(const PointSet& points,
   return others(constrained::planar_cdt(complex).simplices, triangles);
 }
 
-// Another affine image of the points for every `number` but 0: a triangulation of it is one of them.
+// Another affine image of the points for every `number` but 0: a triangulation of it is one of
+// them.
 std::vector<Point> image(const PointSet& points, int number) {
   std::vector<Point> images = points.points();
   for (Point& point : images) {
@@ -53,8 +55,8 @@ std::vector<Point> image(const PointSet& points, int number) {
   return images;
 }
 
-// In space the facets of the tetrahedra are the polygons of a domain, of which these are tetrahedra. A CDT of
-// it does; where there is none, there may be one of an affine image.
+// In space the facets of the tetrahedra are the polygons of a domain, of which these are
+// tetrahedra. A CDT of it does; where there is none, there may be one of an affine image.
 std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
                                                   const std::vector<Simplex>& tetrahedra) {
   PiecewiseLinearInput facets;
@@ -85,11 +87,11 @@ std::optional<std::vector<Simplex>> fill(const PointSet& points,
 }
 
 std::vector<Simplex> delaunay_simplices(const PointSet& points) {
-  return delaunay::bowyer_watson(points).simplices();
+  return reference::canonical_delaunay(points).simplices();
 }
 
-// The canonical triangulation, if it has the simplices; where points are cospherical, what fills the hull
-// of constraints that are Delaunay is a Delaunay triangulation too.
+// The canonical triangulation, if it has the simplices; where points are cospherical, what fills
+// the hull of constraints that are Delaunay is a Delaunay triangulation too.
 std::optional<std::vector<Simplex>> fill_delaunay(const PointSet& points,
                                                   const std::vector<Simplex>& simplices) {
   if (fills_its_hull(points, simplices, Claim::kDelaunay)) return std::vector<Simplex>{};
@@ -142,7 +144,8 @@ std::vector<Point> box_around(const PointSet& points) {
   return corners;
 }
 
-// A Steiner CDT of the domain in a box, if it is not too large: of its simplices those in the domain, and the others.
+// A Steiner CDT of the domain in a box, if it is not too large: of its simplices those in the
+// domain, and the others.
 std::optional<certificate::FilledMesh> meshed(const PiecewiseLinearComplex& complex) {
   constexpr std::size_t kMostPoints = 1000;
   if (complex.points.size() > kMostPoints) return std::nullopt;
@@ -227,7 +230,8 @@ std::string certificate_fault(const DomainOptions& said) {
 
 namespace {
 
-// What is between a mesh in space and its hull; all simplices, that are to be Delaunay, cannot have points that are nobody's.
+// What is between a mesh in space and its hull; all simplices, that are to be Delaunay, cannot have
+// points that are nobody's.
 bool may_have_pockets(const Domain& domain, Claim claim) {
   return domain.complex.ambient_dimension() == 3 && domain.complex.kind == DomainKind::kEnclosed &&
          claim != Claim::kConformingDelaunay;

@@ -12,8 +12,8 @@
 
 namespace circumspect::cli {
 
-// Writes the certificate or the refutation to `path`, "-" being stdout. If there is none, or it cannot
-// be written, says so on stderr and in the exit code. True if it was written.
+// Writes the certificate or the refutation to `path`, "-" being stdout. If there is none, or it
+// cannot be written, says so on stderr and in the exit code. True if it was written.
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output);
 
@@ -28,9 +28,9 @@ std::string certificate_fault(const DomainOptions& said);
 // The files in which circumspect-verified reads that a domain has no CDT, and no triangulation.
 std::vector<std::string> impossibility_files(const std::string& prefix);
 
-// Writes that a domain in space has no CDT or, if the claim is plc-triangulation, no triangulation at all; and a note
-// if there is nothing to write: what is proved of every triangulation may not suffice. Returns what is wrong with the
-// file, or an empty string.
+// Writes that a domain in space has no CDT or, if the claim is plc-triangulation, no triangulation
+// at all; and a note if there is nothing to write: what is proved of every triangulation may not
+// suffice. Returns what is wrong with the file, or an empty string.
 std::string write_impossibility(const std::string& prefix, Claim claim, const LoadedDomain& loaded,
                                 Output& output);
 

@@ -12,7 +12,7 @@
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
-#include "command/options/whole_number.hpp"
+#include "command/options/threads.hpp"
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"

@@ -1,30 +1,24 @@
 // circumspect check MESH…
-#include "oracle/judge/points/check.hpp"
-
-#include <algorithm>
-#include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
-#include "command/check/complex_options.hpp"
+#include "command/check/check_options.hpp"
 #include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/check/remedy.hpp"
-#include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
-#include "command/options/domain_options.hpp"
-#include "command/options/one_of.hpp"
-#include "command/options/whole_number.hpp"
+#include "command/options/threads.hpp"
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
-#include "command/output/overwriting.hpp"
-#include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -32,25 +26,8 @@
 namespace circumspect::cli {
 namespace {
 
-struct CheckOptions {
-  std::vector<std::string> meshes;
-  std::optional<Claim> claim;
-  std::optional<std::string> domain;
-  DomainOptions said;  // of the domain
-  std::optional<Distance> within;
-  std::optional<std::string> certificate;
-  PictureOptions picture;
-  std::shared_ptr<Pictures> pictures;
-  check::Options check;
-  ComplexOptions complex;
-  InputOptions input;
-  OutputOptions output;
-  std::uint64_t threads = 0;  // 0: as many as the machine has
-  std::optional<std::uint64_t> memory;
-};
-
-// What is said of how a mesh was read, at once, and what its verdict may be due to, beside the verdict: before the
-// witnesses, of which there may be many, nobody would see that.
+// What is said of how a mesh was read, at once, and what its verdict may be due to, beside the
+// verdict: before the witnesses, of which there may be many, nobody would see that.
 struct Notes {
   std::vector<std::string> of_reading;
   std::vector<std::string> of_verdict;
@@ -144,6 +121,28 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
   report_verdict(path, judged->verdict, judged->named, notes, options, nullptr, output);
 }
 
+// Nothing, and said, if it is not judged. Requires: no equal points.
+std::optional<Verdict> judged_against(const std::string& path, Claim claim, LoadedMesh& loaded,
+                                      const HeldAgainst& against, const CheckOptions& options,
+                                      Output& output) {
+  const Domain& domain = against.loaded.domain;
+  if (!options.within) {
+    auto judged = judge_loaded(claim, loaded, options.input.duplicates, options.check, &domain);
+    if (judged) return std::move(*judged);
+    output.error(ExitCode::kInputFault, "mesh", path, judged.error());
+    return std::nullopt;
+  }
+  const check::KnownMesh known(claim, loaded.mesh, domain.complex.kind, options.check);
+  auto judged = judged_within(*options.within, claim, known, domain, options.check,
+                              against.bent ? &*against.bent : nullptr,
+                              {loaded.face_markers, against.polygon_markers()});
+  if (judged) return std::move(*judged);
+  const auto& [reason, is_input_fault] = judged.error();
+  output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
+               path + ": " + reason);
+  return std::nullopt;
+}
+
 void check_with_domain(const std::string& path, const CheckOptions& options,
                        DomainReadings& readings, Output& output) {
   output.begin("reading " + path);
@@ -172,33 +171,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim =
       options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
-  std::optional<Verdict> verdict;
-  if (options.within) {
-    const std::string equal = settle_equal_points(*loaded, options.input.duplicates);
-    if (!equal.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, equal);
-      return;
-    }
-    const KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
-    auto judged = judged_within(*options.within, claim, known, domain.domain, options.check,
-                                against.bent ? &*against.bent : nullptr,
-                                {loaded->face_markers, against.polygon_markers()});
-    if (!judged) {
-      const auto& [reason, is_input_fault] = judged.error();
-      output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
-                   path + ": " + reason);
-      return;
-    }
-    verdict = std::move(*judged);
-  } else {
-    auto judged =
-        judge_loaded(claim, *loaded, options.input.duplicates, options.check, &domain.domain);
-    if (!judged) {
-      output.error(ExitCode::kInputFault, "mesh", path, judged.error());
-      return;
-    }
-    verdict = std::move(*judged);
-  }
+  const auto verdict = judged_against(path, claim, *loaded, against, options, output);
+  if (!verdict) return;
   Notes notes{loaded->notes, {}};
   std::optional<std::string> weaker;
   if (!options.claim) weaker = note_of_weaker_claim(*verdict);
@@ -223,92 +197,6 @@ void check_against_domain(const CheckOptions& options, Output& output) {
   for (const std::string& mesh : options.meshes) {
     check_with_domain(mesh, options, readings, output);
   }
-}
-
-// What a claim needs and did not get, or got and does not need; empty if all is well.
-std::string usage_fault(CheckOptions& options) {
-  std::string of_complex = settle_complex_options(options.complex, options.claim, options.check);
-  if (!of_complex.empty()) return of_complex;
-  if (options.claim == Claim::kComplex) {
-    for (const auto& [is_given, word] : std::initializer_list<std::pair<bool, const char*>>{
-             {options.certificate.has_value(), "--certificate"},
-             {options.input.neighbors, "--neighbors"},
-             {options.memory.has_value(), "--memory"}}) {
-      if (is_given) return fmt::format("expected no {} beside the claim complex, found it", word);
-    }
-  }
-  const bool about_domain = options.claim && is_about_a_domain(*options.claim);
-  if (options.certificate && options.within) {
-    return "expected no --within beside --certificate, found it: nothing is proved of it";
-  }
-  if (options.certificate) {
-    if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
-  }
-  if (about_domain && !options.domain) {
-    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.claim));
-  }
-  if (options.claim && !about_domain && options.domain) {
-    return fmt::format("expected no --domain for the claim {}, found one", name(*options.claim));
-  }
-  if (options.within && !options.domain) {
-    return "expected --domain FILE beside --within, found none";
-  }
-  if (options.said.is_given() && !options.domain) {
-    return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
-  }
-  if (options.said.merges_bent() && !options.within) {
-    return "expected --within DISTANCE beside --merge-coplanar with an angle, found none: say how "
-           "far vertices may be from one plane";
-  }
-  if (std::string fault = domain_options_fault(options.said); !fault.empty()) return fault;
-  if (options.input.neighbors && !options.input.kept_labels.empty()) {
-    return "expected no --neighbors beside --keep-label, found it: a .neigh file is about all "
-           "cells";
-  }
-  if (options.certificate && !options.input.kept_labels.empty()) {
-    return "expected no --certificate beside --keep-label, found one: a certificate is about all "
-           "cells of a file";
-  }
-  if (options.certificate && options.meshes.size() != 1) {
-    return fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size());
-  }
-  if (options.certificate == "-") {
-    return "expected a file for --certificate, found -; circumspect certify writes to standard "
-           "output";
-  }
-  if (options.memory) {
-    for (const auto& [is_given, word] : std::initializer_list<std::pair<bool, const char*>>{
-             {options.domain.has_value(), "--domain"},
-             {options.check.by == check::By::kDefinition, "--by definition"},
-             {options.check.oriented, "--oriented"},
-             {options.input.neighbors, "--neighbors"},
-             {!options.input.kept_labels.empty(), "--keep-label"},
-             {options.input.allow_empty, "--allow-empty"},
-             {options.input.duplicates == Duplicates::kMerge, "--duplicates merge"},
-             {options.input.coordinates != NumberReading::kDouble, "--coordinates decimal"},
-             {options.certificate.has_value(), "--certificate"},
-             {!picture_files(options.picture).empty(), "pictures"}}) {
-      if (!is_given) continue;
-      return fmt::format(
-          "expected no {} beside --memory, found it: this needs the whole mesh in memory", word);
-    }
-  }
-  const std::string fault = picture_fault(options.picture, options.meshes.size());
-  if (!fault.empty()) return fault;
-  std::vector<Written> written = picture_files(options.picture);
-  if (options.certificate) written.push_back({"the certificate", *options.certificate});
-  if (written.empty()) return "";
-  std::vector<std::string> read;
-  for (const std::string& mesh : options.meshes) {
-    const std::vector<std::string> files = files_of_mesh(mesh);
-    read.insert(read.end(), files.begin(), files.end());
-  }
-  if (options.domain) {
-    const std::vector<std::string> files = files_of_domain(*options.domain);
-    read.insert(read.end(), files.begin(), files.end());
-  }
-  if (options.input.points) read.push_back(*options.input.points);
-  return overwriting_fault(written, read);
 }
 
 ExitCode run(CheckOptions& options) {
@@ -352,56 +240,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "if it\n"
       "has neither points nor simplices), 4 interrupted or stopped by --limit, 5 internal "
       "error.");
-  command
-      ->add_option(
-          "mesh", options->meshes,
-          "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, "
-          ".obj, .ply, .tet, .npz, .qhull-i, .npy (with --points); - for standard input, in any of "
-          "these formats")
-      ->required();
-  add_claim_option(*command, options->claim,
-                   "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
-                   "the mesh has more vertices than the domain). Weights are the first attribute "
-                   "of a .node file, as for tetgen -w, or the key weights of JSON");
-  command
-      ->add_option(
-          "--domain", options->domain,
-          "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, "
-          ".msh, .vtk, .vtu, .vtp. The dangling triangles and edges of the mesh are read from "
-          "the .face and the .edge file beside the .ele")
-      ->option_text("FILE");
-  add_domain_options(*command, options->said, true);
-  add_within_option(*command, options->within);
-  command->add_option("--points", options->input.points, "The file with the points of the mesh")
-      ->option_text("FILE");
-  const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},
-                                                 {"definition", check::By::kDefinition}};
-  command
-      ->add_option("--by", options->check.by,
-                   "Judge by the lemmas (default) or, slowly, by the definitions")
-      ->transform(one_of(ways))
-      ->option_text("lemma|definition");
-  command
-      ->add_option("--certificate", options->certificate,
-                   "Also write a certificate or a refutation, as circumspect certify does")
-      ->option_text("FILE");
-  add_picture_options(*command, options->picture);
-  add_complex_options(*command, options->complex);
-  command->add_flag("--neighbors", options->input.neighbors,
-                    "Also judge the .neigh file beside each .ele");
-  command
-      ->add_option("--max-errors", options->check.max_violations,
-                   "Report at most N witnesses (default: 20; 0: all)")
-      ->check(whole_number())
-      ->option_text("N");
-  add_threads_option(*command, options->threads);
-  add_memory_option(*command, options->memory);
-  add_coordinates_option(*command, options->input);
-  add_duplicates_option(*command, options->input);
-  add_keep_label_option(*command, options->input);
-  add_allow_empty_option(*command, options->input);
-  add_limit_option(*command, options->output);
-  add_output_options(*command, options->output);
+  add_check_options(*command, *options);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

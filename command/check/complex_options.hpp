@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/options.hpp"
 
 namespace CLI {
 class App;
@@ -21,7 +21,8 @@ struct ComplexOptions {
 
 void add_complex_options(CLI::App& command, ComplexOptions& options);
 
-// What the options demand of the claim, into `check`; what is wrong with them, empty if all is well.
+// What the options demand of the claim, into `check`; what is wrong with them, empty if all is
+// well.
 std::string settle_complex_options(const ComplexOptions& options, std::optional<Claim> claim,
                                    check::Options& check);
 

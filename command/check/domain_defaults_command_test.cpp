@@ -1,5 +1,5 @@
-// The defaults that docs/domains.md lists, row by row, as far as domain_kind_command_test.cpp does not
-// hold them already.
+// The defaults that docs/domains.md lists, row by row, as far as domain_kind_command_test.cpp does
+// not hold them already.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"

@@ -7,8 +7,8 @@
 namespace circumspect::cli {
 namespace {
 
-// A tetrahedron with a bounding triangle left out, or all of them, on the points 1 to 4, and an apex
-// above the open side: the hull is more than the tetrahedron.
+// A tetrahedron with a bounding triangle left out, or all of them, on the points 1 to 4, and an
+// apex above the open side: the hull is more than the tetrahedron.
 const std::string kPointsOfPrism = "1 0 0 0\n2 4 0 0\n3 0 4 0\n4 0 0 4\n5 5 5 5\n";
 const std::string kClosed =
     "5 3\n" + kPointsOfPrism + "4 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n0\n";

@@ -1,4 +1,5 @@
-// The same mesh gets the same verdict in every format, against its domain in every format, and part after part.
+// The same mesh gets the same verdict in every format, against its domain in every format, and part
+// after part.
 #include <sstream>
 
 #include <doctest/doctest.h>
@@ -13,8 +14,8 @@ namespace {
 using formats::WrittenForm;
 using formats::WrittenMesh;
 
-// Two tetrahedra on one triangle, with their surface and an edge of it; the second apex is within the
-// circumsphere of the first, or it is not.
+// Two tetrahedra on one triangle, with their surface and an edge of it; the second apex is within
+// the circumsphere of the first, or it is not.
 WrittenMesh two_tetrahedra(double depth) {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 1.0 / 3}, {0.1, 0.1, -depth}},
           {{0, 1},

@@ -28,9 +28,10 @@ struct NotJudged {
   std::string message;
 };
 
-// What judge_loaded says of a mesh in an .npy or an .ele file that is read as doubles, with equal points refused. What
-// does not fit the memory lies in files without names in TMPDIR, or /var/tmp. Not judged: what
-// distributed::read_slices refuses; more parts than kMostParts; no room on the disk.
+// What judge_loaded says of a mesh in an .npy or an .ele file that is read as doubles, with equal
+// points refused. What does not fit the memory lies in files without names in TMPDIR, or /var/tmp.
+// Not judged: what distributed::read_slices refuses; more parts than kMostParts; no room on the
+// disk.
 inline constexpr std::size_t kMostParts = 1024;
 tl::expected<JudgedInParts, NotJudged> judge_in_parts(Claim claim, const std::string& mesh,
                                                       const std::optional<std::string>& points,

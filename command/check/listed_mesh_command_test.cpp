@@ -1,4 +1,5 @@
-// Meshes as files hold them: empty ones, and witnesses that name points and simplices as the user listed them.
+// Meshes as files hold them: empty ones, and witnesses that name points and simplices as the user
+// listed them.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
@@ -112,8 +113,8 @@ TEST_CASE("compare and certify take no mesh of nothing for one either") {
 }  // namespace
 
 // ---- Listed indices ----
-// Witnesses name points and simplices as the user listed them: at the ends of 64 bits, and where equal
-// points were merged.
+// Witnesses name points and simplices as the user listed them: at the ends of 64 bits, and where
+// equal points were merged.
 
 namespace {
 

@@ -19,7 +19,8 @@ Run check_triangulation(const std::string& mesh, const std::string& domain,
 }  // namespace
 
 TEST_CASE("check: where rounding is all that is wrong, the note names no other option") {
-  // One face of the tetrahedron is cut in two by the segment 1 4. The Steiner point on it is rounded.
+  // One face of the tetrahedron is cut in two by the segment 1 4. The Steiner point on it is
+  // rounded.
   ScratchFolder folder;
   folder.write("m.node",
                "6 3 0 0\n0 0 0 0\n1 3 0 0\n2 0 3 0\n3 0 0 3\n4 0 1 2\n"

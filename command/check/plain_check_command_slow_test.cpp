@@ -1,5 +1,5 @@
-// What `check` says of a mesh does not depend on how it is read and judged: the same meshes, once as they
-// are, and once with a plus sign in front of a number, which keeps them out of flat arrays.
+// What `check` says of a mesh does not depend on how it is read and judged: the same meshes, once
+// as they are, and once with a plus sign in front of a number, which keeps them out of flat arrays.
 #include <algorithm>
 #include <filesystem>
 

@@ -6,6 +6,8 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"
@@ -17,8 +19,8 @@ constexpr int kTimesTenSmaller = 4;  // a distance is divided by ten
 
 bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
 
-// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
-// polygon has it as well.
+// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing
+// itself; none if another polygon has it as well.
 std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDomain& domain) {
   const auto bounds_nothing = [&](std::size_t polygon) {
     return std::binary_search(domain.bound_nothing.begin(), domain.bound_nothing.end(), polygon);
@@ -58,16 +60,10 @@ constexpr std::size_t kMostTriedAsComplex = 50'000;
 
 }  // namespace
 
-KnownMesh::KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options)
-    : exact(circumspect::exact(mesh)),
-      facts(check::facts_of_simplices(claim, mesh, kind, options)) {}
-
-tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const KnownMesh& mesh, const Domain& domain,
-                                                      const check::Options& options,
-                                                      const BentDomain* bent,
-                                                      const check::Markers& markers,
-                                                      check::Work* work) {
+tl::expected<Verdict, check::NotJudged> judged_within(
+    const Distance& distance, Claim claim, const check::KnownMesh& mesh, const Domain& domain,
+    const check::Options& options, const BentDomain* bent, const check::Markers& markers,
+    check::Work* work) {
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
   const auto judged = [&] {
@@ -76,8 +72,9 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
                                work);
   };
   auto verdict = judged();
-  // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
-  // smaller one finds what is missing, and what holds at none of those that were looked at does not hold at it.
+  // The distance also says how flat joined polygons are. It may be larger than what tells cells
+  // apart: then a smaller one finds what is missing, and what holds at none of those that were
+  // looked at does not hold at it.
   for (int times = 0; bent != nullptr && !verdict && verdict.error().is_input_fault; ++times) {
     if (times == kTimesTenSmaller) break;
     squared /= 100;
@@ -159,7 +156,8 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
 
 namespace {
 
-// What may be all that is wrong, each with options that allow for it, is tried in turn, until the claim holds.
+// What may be all that is wrong, each with options that allow for it, is tried in turn, until the
+// claim holds.
 class Remedies {
  public:
   Remedies(const Verdict& verdict, const Judged& judged, const check::Options& options)
@@ -182,8 +180,8 @@ class Remedies {
   }
 
  private:
-  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more, and more than half a
-  // second, the note proposes to find out.
+  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more,
+  // and more than half a second, the note proposes to find out.
   static constexpr std::size_t kLeastWork = 1'000'000;
   static constexpr std::size_t kWorkOfSimplex = 1;
 
@@ -259,7 +257,7 @@ class Remedies {
   const Verdict& verdict_;
   const Judged& judged_;
   const check::Options& options_;
-  KnownMesh mesh_;
+  check::KnownMesh mesh_;
   bool is_unsettled_ = false;           // was a search given up?
   std::optional<LoadedDomain> joined_;  // if that is not the domain itself
   std::optional<std::string> note_;

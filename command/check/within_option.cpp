@@ -64,7 +64,8 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
 
 bool may_be_rounded(const Verdict& verdict, DomainKind kind) {
   const auto is_missing = [&](const auto& tally) {
-    // Nobody lists the faces of a convex hull. Where a point of one was rounded, the mesh has a dent or a bump there.
+    // Nobody lists the faces of a convex hull. Where a point of one was rounded, the mesh has a
+    // dent or a bump there.
     const bool is_off_hull = kind == DomainKind::kHull &&
                              (tally.first == Rule::kHullNotConvex || tally.first == Rule::kOutside);
     return is_off_hull || tally.first == Rule::kDomainVertexMissing ||

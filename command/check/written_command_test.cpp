@@ -1,4 +1,5 @@
-// The surfaces of corpus/domains/written, as programs write them, with the options that say what is meant.
+// The surfaces of corpus/domains/written, as programs write them, with the options that say what is
+// meant.
 #include <set>
 
 #include <doctest/doctest.h>

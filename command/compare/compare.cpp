@@ -10,6 +10,8 @@
 
 #include "command/compare/comparison.hpp"
 #include "command/input/input.hpp"
+#include "command/options/option_rows.hpp"
+#include "command/options/threads.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
@@ -50,8 +52,8 @@ void report_comparison(const CompareOptions& options, const Comparison& comparis
   if (output.wants_json()) output.json(json_of({options.a, options.b}, comparison, notes));
 }
 
-// The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the plane or
-// space, in both the same.
+// The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the
+// plane or space, in both the same.
 formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Difference& found) {
   formats::ElementFile file;
   file.points.dimension = a.dimension();
@@ -145,8 +147,8 @@ bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
   return fault.empty();
 }
 
-// False, with an error, if one of the simplices that only this mesh has names a point that the file does not have: it
-// cannot be compared, not even with itself.
+// False, with an error, if one of the simplices that only this mesh has names a point that the file
+// does not have: it cannot be compared, not even with itself.
 bool names_points(const LoadedMesh& input, const std::vector<Simplex>& simplices, Output& output) {
   for (const Simplex& simplex : simplices) {
     Simplex labels = simplex;
@@ -180,21 +182,25 @@ std::string output_fault(const CompareOptions& options) {
   return page_fault(options.html, written, read);
 }
 
-void compare(const CompareOptions& options, Output& output) {
+// False, and said, if the files cannot be read and written as is asked.
+bool may_begin(const CompareOptions& options, Output& output) {
   if (const std::string fault = output_fault(options); !fault.empty()) {
     output.error(ExitCode::kUsage, "file",
                  options.output_file.empty() ? options.html : options.output_file, fault);
-    return;
+    return false;
   }
   const auto streams = (options.a == "-") + (options.b == "-") + (options.points_of_a == "-") +
                        (options.points_of_b == "-");
-  if (streams > 1) {
-    const bool are_meshes = options.a == "-" && options.b == "-";
-    output.error(ExitCode::kUsage, "mesh", "-",
-                 are_meshes ? "expected one mesh on standard input, found two"
-                            : "expected one of the files on standard input, found several");
-    return;
-  }
+  if (streams <= 1) return true;
+  const bool are_meshes = options.a == "-" && options.b == "-";
+  output.error(ExitCode::kUsage, "mesh", "-",
+               are_meshes ? "expected one mesh on standard input, found two"
+                          : "expected one of the files on standard input, found several");
+  return false;
+}
+
+void compare(const CompareOptions& options, Output& output) {
+  if (!may_begin(options, output)) return;
   output.begin("reading " + options.a);
   auto a =
       load_mesh(options.a, input_of(options, options.points_of_a, "--points-a"), thread_count(0));
@@ -214,8 +220,8 @@ void compare(const CompareOptions& options, Output& output) {
   }
   const bool are_known = names_points(*a, found->simplices_only_in_a, output);
   if (!names_points(*b, found->simplices_only_in_b, output) || !are_known) return;
-  // Whatever is to be written is made first, since an interrupt ends that at once, and what is being written
-  // would stay behind, unfinished.
+  // Whatever is to be written is made first, since an interrupt ends that at once, and what is
+  // being written would stay behind, unfinished.
   formats::ElementFile elements;
   std::string fault;
   if (!options.output_file.empty()) {
@@ -269,34 +275,27 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
       "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 4 interrupted "
       "or\n"
       "stopped by --limit, 5 internal error.");
-  command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
-  command->add_option("b", options->b, "The other mesh")->required();
-  command
-      ->add_option(
-          "--points-a", options->points_of_a,
-          "The file with the points of the first mesh, where they are not in it or beside it")
-      ->option_text("FILE");
-  command->add_option("--points-b", options->points_of_b, "The same for the other mesh")
-      ->option_text("FILE");
-  command
-      ->add_option(
-          "-o,--output", options->output_file,
-          "Also write the simplices that only one of the meshes has, for viewers. In .vtu and "
-          ".msh, those of A have the label 1 and those of B the label 2; .obj and .ply have "
-          "their surfaces")
-      ->option_text("OUT.vtu");
+  add_options(
+      *command,
+      {{"a", "", required(options->a), "A mesh, in any format that check reads"},
+       {"b", "", required(options->b), "The other mesh"},
+       {"--points-a", "FILE", into(options->points_of_a),
+        "The file with the points of the first mesh, where they are not in it or beside it"},
+       {"--points-b", "FILE", into(options->points_of_b), "The same for the other mesh"},
+       {"-o,--output", "OUT.vtu", into(options->output_file),
+        "Also write the simplices that only one of the meshes has, for viewers. In .vtu and .msh, "
+        "those of A have the label 1 and those of B the label 2; .obj and .ply have their "
+        "surfaces"}});
   add_page_option(*command, options->html,
                   "the simplices that differ, those of A in one colour and those of B in another");
-  command
-      ->add_option("--max-errors", options->most,
-                   "Show at most N differences of each kind (default: 20; 0: all)")
-      ->check(whole_number())
-      ->option_text("N");
-  command->add_flag(
-      "--weighted", options->input.weighted,
-      "Both meshes have weights: the first attribute of a .node file, as for check --claim "
-      "weighted-delaunay, or the key weights of JSON. Without this option, only the weights "
-      "of JSON count");
+  add_options(
+      *command,
+      {{"--max-errors", "N", into(options->most, whole_number()),
+        "Show at most N differences of each kind (default: 20; 0: all)"},
+       {"--weighted", "", flag(options->input.weighted),
+        "Both meshes have weights: the first attribute of a .node file, as for check --claim "
+        "weighted-delaunay, or the key weights of JSON. Without this option, only the weights of "
+        "JSON count"}});
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_keep_label_option(*command, options->input);

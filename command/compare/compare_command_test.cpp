@@ -152,7 +152,8 @@ TEST_CASE("compare: a file that cannot be read, and two on one standard input") 
 
 TEST_CASE("compare: a page has a card for each place at which the meshes differ") {
   const ScratchFolder folder;
-  // Two squares apart, counted from 1 and from 0; a triangle that both have; a point that only B has.
+  // Two squares apart, counted from 1 and from 0; a triangle that both have; a point that only B
+  // has.
   const std::string square = "1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 8 0\n6 9 0\n7 8 1\n8 9 1\n9 2 0\n";
   const std::string a =
       mesh(folder, "a", "9 2\n" + square, "5 3\n1 1 2 4\n2 1 4 3\n3 5 6 8\n4 5 8 7\n5 2 9 4\n");

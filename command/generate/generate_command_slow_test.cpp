@@ -157,8 +157,8 @@ TEST_CASE("generate: errors say what was expected and found") {
   }
 }
 
-// What is generated is read, built and checked by the other subcommands, in every family: in both dimensions, and families
-// with a modifier in one of them, in turn.
+// What is generated is read, built and checked by the other subcommands, in every family: in both
+// dimensions, and families with a modifier in one of them, in turn.
 TEST_CASE("generate, build, check: every family of points") {
   const formats::ScratchFolder folder;
   const std::string points = folder.path("x.node"), mesh = folder.path("x.ele");

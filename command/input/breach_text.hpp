@@ -19,23 +19,26 @@ std::string polygon_name(std::size_t polygon, const formats::DomainFile& file);
 // "x.poly:17": the file, and the line of what is named first.
 std::string breach_place(const Breach& breach, const formats::DomainFile& file);
 
-// "plc.polygon-not-planar: …: polygon 2 (line 13), vertices 4 5 6 7, ~ 0.03 off the plane that is nearest …"
+// "plc.polygon-not-planar: …: polygon 2 (line 13), vertices 4 5 6 7, ~ 0.03 off the plane that is
+// nearest …"
 std::string breach_line(const Breach& breach, const formats::DomainFile& file);
 
 // {"rule", "meaning", …}: what the breach has, vertices by the user's indices, exact values.
 report::Json breach_json(const Breach& breach, const formats::DomainFile& file);
 
-// What a card of a page (picture::Facts) shows of it: the polygons, the segments and the vertices in question, by
-// the points of the file.
+// What a card of a page (picture::Facts) shows of it: the polygons, the segments and the vertices
+// in question, by the points of the file.
 std::pair<report::Json, Witness> breach_card(const Breach& breach, const formats::DomainFile& file);
 
 // The whole domain, if it has few edges.
 std::optional<std::pair<report::Json, Witness>> domain_card(const formats::DomainFile& file);
 
-// The points of the file, and its segments and the edges of its polygons: what may be drawn around a breach.
+// The points of the file, and its segments and the edges of its polygons: what may be drawn around
+// a breach.
 Mesh skeleton(const formats::DomainFile& file);
 
-// "(0, 1/3, 0.125)": a double stands as its shortest decimal, a long fraction as "~ 0.3333333333333333".
+// "(0, 1/3, 0.125)": a double stands as its shortest decimal, a long fraction as "~
+// 0.3333333333333333".
 std::string point_text(const Point& point);
 
 }  // namespace circumspect::cli

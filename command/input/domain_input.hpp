@@ -31,7 +31,8 @@ struct LoadedDomain {
 };
 
 // What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could
-// be read. `file` has the points and lines that breaches are about, and notes of how they were read.
+// be read. `file` has the points and lines that breaches are about, and notes of how they were
+// read.
 struct DomainFault {
   std::string message;
   std::vector<Breach> breaches = {};
@@ -39,8 +40,9 @@ struct DomainFault {
   bool truncated = false;  // are there more breaches?
 };
 
-// Who waits for a domain: is told how far its validation has come, of each breach as soon as it is found
-// (then only the first kBreachLimit are in the DomainFault), and that it is valid before its kind is chosen.
+// Who waits for a domain: is told how far its validation has come, of each breach as soon as it is
+// found (then only the first kBreachLimit are in the DomainFault), and that it is valid before its
+// kind is chosen.
 struct DomainWatch {
   Progress progress = {};
   std::function<void(const Breach&, const formats::DomainFile&)> on_breach = {};
@@ -49,9 +51,9 @@ struct DomainWatch {
 };
 
 // Errors: a malformed file; duplicates, unless they are merged; any other breach, up to
-// `max_breaches` of them (0: all); no kind that `choose_kind` can give it. The notes of the file have
-// those about the kind too. Polygons of one plane are joined if the options say so, those that are nearly
-// in one plane not yet.
+// `max_breaches` of them (0: all); no kind that `choose_kind` can give it. The notes of the file
+// have those about the kind too. Polygons of one plane are joined if the options say so, those that
+// are nearly in one plane not yet.
 tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
                                                     const DomainOptions& said,
@@ -68,8 +70,8 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
 // As what a mesh is read that is held against this domain.
 DomainFrame frame_of(const LoadedDomain& domain);
 
-// The domain with its polygons of one plane joined. Polygons are called by the first of those they were joined
-// of; a note says how many there are.
+// The domain with its polygons of one plane joined. Polygons are called by the first of those they
+// were joined of; a note says how many there are.
 LoadedDomain with_coplanar_joined(LoadedDomain loaded);
 
 // The domain with those joined that are nearly in one plane: it is for check::judge_within alone.

@@ -28,8 +28,8 @@ Regions regions_if_enclosed(const Domain& domain, const std::vector<Point>& more
   return Regions(domain.complex, seeds, DomainKind::kEnclosed);
 }
 
-// The ridges that are faces of one wall alone, each with that wall: edges of triangles, in the plane
-// ends of segments.
+// The ridges that are faces of one wall alone, each with that wall: edges of triangles, in the
+// plane ends of segments.
 std::map<Simplex, Simplex> open_ridges(const std::vector<Simplex>& walls) {
   std::map<Simplex, Simplex> open;
   std::set<Simplex> closed;
@@ -110,8 +110,8 @@ std::string leak_text(const std::vector<Simplex>& walls, const Domain& domain) {
       open_place(open_ridges(walls), domain));
 }
 
-// Nobody says, and nothing is enclosed. Where all lies in one plane there is no choice: neither kind
-// fills anything, and polygons are meshed alone.
+// Nobody says, and nothing is enclosed. Where all lies in one plane there is no choice: neither
+// kind fills anything, and polygons are meshed alone.
 tl::expected<ChosenKind, std::string> kind_without_enclosure(const Domain& domain, Leak leak) {
   const std::vector<Simplex> some = walls(domain.complex);
   if (is_flat(domain)) {
@@ -201,8 +201,8 @@ std::set<Simplex> dangling_walls(const Regions& regions) {
   return dangling;
 }
 
-// Which polygons consist of such walls, and which of these and of others: a bridge over the mouth of a
-// tunnel bounds what is beside the tunnel.
+// Which polygons consist of such walls, and which of these and of others: a bridge over the mouth
+// of a tunnel bounds what is beside the tunnel.
 struct Dangling {
   std::vector<std::size_t> whole = {};
   std::vector<std::size_t> in_part = {};
@@ -226,8 +226,8 @@ Dangling dangling_polygons(const Domain& domain, const std::set<Simplex>& walls)
 
 constexpr std::string_view kIsMeant = "; --fill enclosed says that this is meant";
 
-// Something is enclosed, and something else may have leaked: walls between the outside and itself, or
-// between what is not filled.
+// Something is enclosed, and something else may have leaked: walls between the outside and itself,
+// or between what is not filled.
 void note_dangling(const Regions& regions, const Domain& domain, bool is_said, ChosenKind& chosen) {
   const std::set<Simplex> walls = dangling_walls(regions);
   const bool in_plane = is_planar(domain);

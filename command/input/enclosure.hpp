@@ -13,9 +13,9 @@
 
 namespace circumspect::cli {
 
-// A domain has polygons (in the plane: segments) that enclose nothing, and nobody says of which kind
-// it is. That may be a surface with a leak, which nothing but its author can tell from one that is
-// meant to dangle: a judgement refuses it, an inspection tells.
+// A domain has polygons (in the plane: segments) that enclose nothing, and nobody says of which
+// kind it is. That may be a surface with a leak, which nothing but its author can tell from one
+// that is meant to dangle: a judgement refuses it, an inspection tells.
 enum class Leak { kRefused, kTold };
 
 // The kind, and what the user ought to know of it, one line each: a default that is no matter of

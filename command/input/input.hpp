@@ -61,13 +61,14 @@ struct DomainFrame {
 // weights asked for and not there; neighbours asked for and not there. Equal points are left to
 // judges and to settle_equal_points.
 // `frame`: of the domain that the mesh is held against, if it is. Then what
-// formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many as the machine has.
+// formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many
+// as the machine has.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads = 0,
                                                 const std::optional<DomainFrame>& frame = {});
 
-// What is wrong with points that are equal, where they are not to be merged: so many, of which the first is `again`
-// and repeats `kept`, as the file counts.
+// What is wrong with points that are equal, where they are not to be merged: so many, of which the
+// first is `again` and repeats `kept`, as the file counts.
 std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
                                std::uint64_t count);
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated);
@@ -76,8 +77,9 @@ std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Dupli
 // they are refused; empty if all is well.
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 
-// Points alone, as a mesh without simplices. Errors: as above, and equal points that are refused. If
-// `merged` is given, it receives the duplicates that were merged, by places in the file counted from 0.
+// Points alone, as a mesh without simplices. Errors: as above, and equal points that are refused.
+// If `merged` is given, it receives the duplicates that were merged, by places in the file counted
+// from 0.
 struct LoadedPoints {
   std::string name;
   ExactMesh mesh;

@@ -11,7 +11,9 @@
 #include "command/input/input.hpp"
 #include "command/inspect/inspect_domain.hpp"
 #include "command/inspect/inspect_points.hpp"
+#include "command/inspect/refutation_files.hpp"
 #include "command/options/nearest_word.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
@@ -75,6 +77,18 @@ std::string output_fault(const InspectOptions& options) {
   return page_fault(options.html, std::move(proofs), read);
 }
 
+ExitCode run(const InspectOptions& options) {
+  if (const std::string fault = output_fault(options); !fault.empty()) return usage_error(fault);
+  Output output(options.output);
+  output.watch("inspect");
+  picture::Page page;
+  picture::Page* const shown = options.html.empty() ? nullptr : &page;
+  for (const std::string& input : options.inputs) inspect_one(input, options, output, shown);
+  output.end_watch();
+  if (!page.is_empty()) write_page(options.html, page, output);
+  return output.finish();
+}
+
 }  // namespace
 
 void add_inspect(CLI::App& app, ExitCode& exit_code) {
@@ -105,92 +119,26 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 interrupted, stopped by "
       "--limit or\n"
       "undecided in spite of --decide, 5 internal error.");
-  command
-      ->add_option("input", options->inputs,
-                   "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; domains: .poly, "
-                   ".smesh, .stl, .ply, "
-                   ".obj, .mesh, .msh, .vtk, .vtu, .vtp")
-      ->required();
-  command
-      ->add_option("--subsets", options->points.subsets,
-                   "Test at most N subsets for genericity (default: 200000; 0: all)")
-      ->check(whole_number())
-      ->option_text("N");
-  command
-      ->add_option("--simplex", options->points.simplices,
-                   "Tell whether this simplex, of any dimension, is Delaunay or strongly Delaunay "
-                   "(\"1 2 3\")")
-      ->option_text("VERTICES");
-  command
-      ->add_option(
-          "--only", options->only,
-          "Find only these facts: for points dimension, genericity, simplices; for a domain "
-          "validity, regions, edge-protection, cdt")
-      ->option_text("FACTS")
-      ->delimiter(',');
+  add_options(
+      *command,
+      {{"input", "", required(options->inputs),
+        "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; domains: .poly, .smesh, .stl, "
+        ".ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp"},
+       {"--subsets", "N", into(options->points.subsets, whole_number()),
+        "Test at most N subsets for genericity (default: 200000; 0: all)"},
+       {"--simplex", "VERTICES", into(options->points.simplices),
+        "Tell whether this simplex, of any dimension, is Delaunay or strongly Delaunay (\"1 2 "
+        "3\")"},
+       {"--only", "FACTS", listed(options->only),
+        "Find only these facts: for points dimension, genericity, simplices; for a domain "
+        "validity, regions, edge-protection, cdt"}});
   add_domain_inspection_options(*command, options->domain);
   add_page_option(*command, options->html, "the facts, and each breach of a domain as a picture");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
-  command->callback([options, &exit_code] {
-    if (const std::string fault = output_fault(*options); !fault.empty()) {
-      exit_code = usage_error(fault);
-      return;
-    }
-    Output output(options->output);
-    output.watch("inspect");
-    picture::Page page;
-    picture::Page* const shown = options->html.empty() ? nullptr : &page;
-    for (const std::string& input : options->inputs) inspect_one(input, *options, output, shown);
-    output.end_watch();
-    if (!page.is_empty()) write_page(options->html, page, output);
-    exit_code = output.finish();
-  });
-}
-
-// ---- Facts of a domain ----
-void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {
-  output.begin("finding the regions of " + loaded.name);
-  const Regions regions = loaded.domain.regions();
-  for (std::size_t region = 0; region < regions.size(); ++region) {
-    if (region == Regions::kUnbounded) continue;
-    if (regions.where(region) == Where::kInside) ++facts.polyhedra;
-    if (regions.where(region) == Where::kHole) ++facts.holes;
-  }
-  facts.ignored_hole_seeds = regions.ignored_seeds();
-  facts.adoptions = adoptions(loaded.file.input, loaded.domain.complex);
-}
-
-void find_edge_protection(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {
-  output.begin("deciding whether " + loaded.name + " is edge-protected");
-  facts.segments = constrained::edge_protection(loaded.domain.complex, output.progress());
-  facts.is_edge_protected = constrained::is_edge_protected(facts.segments);
-  facts.is_edge_protected_under_perturbation =
-      constrained::is_edge_protected_under_perturbation(facts.segments);
-}
-
-void find_cdt(const LoadedDomain& loaded, const SearchLimits& limits, DomainFacts& facts,
-              Output& output) {
-  const PiecewiseLinearComplex& complex = loaded.domain.complex;
-  if (complex.ambient_dimension() == 2) {
-    facts.cdt = CdtAnswer::kCanonical;
-    return;
-  }
-  CdtDecision decision = decide_cdt(complex, limits, true, loaded.name, output);
-  facts.cdt = decision.answer;
-  facts.limit = std::move(decision.limit);
-  facts.no_cdt = std::move(decision.refutation);
-  if (decision.cdt || complex.points.size() > limits.vertices) return;
-  output.begin("searching for a triangulation of " + loaded.name);
-  existence::Existence any =
-      existence::any_triangulation(complex, Regions(complex), existence_limits(limits));
-  if (std::holds_alternative<existence::Exists>(any)) facts.triangulation = true;
-  if (auto* impossible = std::get_if<existence::Impossible>(&any)) {
-    facts.triangulation = false;
-    facts.no_triangulation = std::move(*impossible);
-  }
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace circumspect::cli

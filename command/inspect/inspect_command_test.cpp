@@ -242,7 +242,8 @@ TEST_CASE("--limit ends long work with what is known") {
   CHECK(run({"inspect", points, "--limit", "0"}).exit_code == 2);
 }
 
-// The command with a terminal for its standard error, interrupted once the terminal shows `awaited`.
+// The command with a terminal for its standard error, interrupted once the terminal shows
+// `awaited`.
 struct Session {
   int exit_code = -1;
   std::string out;

@@ -9,6 +9,8 @@
 #include "command/check/certificate_output.hpp"
 #include "command/input/breach_text.hpp"
 #include "command/input/domain_input.hpp"
+#include "command/inspect/domain_facts.hpp"
+#include "command/inspect/refutation_files.hpp"
 #include "command/options/whole_number.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"

@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "command/inspect/inspect_simplex.hpp"
+#include "command/inspect/simplex_counts.hpp"
 #include "command/output/expected_time.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/constructions.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 
 namespace circumspect::cli {
@@ -33,11 +35,11 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
   return result;
 }
 
-// An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size of
-// the set; the other balls take a look at every (k+2)-subset.
+// An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size
+// of the set; the other balls take a look at every (k+2)-subset.
 Genericity genericity(const PointSet& points, const Triangulation& triangulation,
                       std::size_t subsets) {
-  const auto empty_ball = delaunay::cospherical_points_of_an_empty_ball(points, triangulation);
+  const auto empty_ball = reference::cospherical_points_of_an_empty_ball(points, triangulation);
   if (empty_ball) return {Genericity::Answer::kNotGeneric, *empty_ball, false};
   const auto size = static_cast<std::size_t>(points.dimension() + 2);
   if (subsets != 0 && binomial(points.size(), size, subsets + 1) > subsets) {
@@ -208,9 +210,7 @@ class Inspected {
   Triangulation triangulated() {
     output_.begin("triangulating " + loaded_.name,
                   seconds_of_triangulating(points().size(), points().dimension()));
-    return delaunay::bowyer_watson(
-        points(), {delaunay::InsertionOrder::kBrioHilbert, delaunay::PointLocation::kWalking, 0,
-                   output_.progress()});
+    return reference::canonical_delaunay(points(), output_.progress());
   }
 
   void add_genericity(const Triangulation& triangulation) {

@@ -1,7 +1,8 @@
+#include "command/inspect/refutation_files.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "command/inspect/inspect_domain.hpp"
 #include "command/output/output.hpp"
 #include "reference/existence/refutation.hpp"
 

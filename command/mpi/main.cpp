@@ -180,8 +180,9 @@ std::string own_words(int argc, char** argv) {
   return words;
 }
 
-// mpirun can start each rank with other words. A rank that judges another claim, or none at all, would meet the others
-// with answers to questions that they did not ask. So nothing begins before all are known to be asked the same.
+// mpirun can start each rank with other words. A rank that judges another claim, or none at all,
+// would meet the others with answers to questions that they did not ask. So nothing begins before
+// all are known to be asked the same.
 bool are_told_the_same(Ranks& ranks, const std::string& own) {
   const std::string expected = ranks.of_rank(0, own);
   const std::size_t other = ranks.first_with(own != expected);

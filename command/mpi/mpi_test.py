@@ -67,7 +67,8 @@ class Commands:
     @staticmethod
     def run_again_where_mpirun_alone_failed(command, ranks, seconds=100):
         for tries_left in reversed(range(ALL_AGAIN)):
-            # Every mpirun of a user has its sessions in one folder of this one, and removes it at its end, with those of others.
+            # Every mpirun of a user has its sessions in one folder of this one, and removes it at
+            # its end, with those of others.
             with tempfile.TemporaryDirectory(prefix="mpi", ignore_cleanup_errors=True) as own:
                 try:
                     ended = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False,

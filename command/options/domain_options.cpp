@@ -26,7 +26,8 @@ bool is_number(std::string_view text) {
   return read_number(text, NumberReading::kDecimal).has_value();
 }
 
-// What a user means as an angle, whether it is one or not: a number, with a unit of angles or without.
+// What a user means as an angle, whether it is one or not: a number, with a unit of angles or
+// without.
 bool looks_like_an_angle(std::string_view text) {
   if (is_number(text)) return true;
   for (const std::string_view unit : {"deg", "degree", "degrees", "\u00b0", "rad", "radians"}) {

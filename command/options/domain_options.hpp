@@ -1,4 +1,5 @@
-// The options that describe a domain beside its file: what it fills, and which of its polygons are joined.
+// The options that describe a domain beside its file: what it fills, and which of its polygons are
+// joined.
 #pragma once
 
 #include <optional>
@@ -24,16 +25,16 @@ struct DomainOptions {
   bool merges_bent() const { return merged_slope && *merged_slope > 0; }
 };
 
-// Adds --fill (or --domain-kind), --hole, --region and --merge-coplanar. `takes_angle`: may the last one have an
-// angle, which only a command with --within can make something of?
+// Adds --fill (or --domain-kind), --hole, --region and --merge-coplanar. `takes_angle`: may the
+// last one have an angle, which only a command with --within can make something of?
 void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_angle = false);
 
 // What options contradict each other; empty if none do.
 std::string domain_options_fault(const DomainOptions& options);
 
-// Makes one word of --merge-coplanar and an angle behind it, which CLI11 would take for a file: whether a value
-// follows an option, it decides without looking at it. A number without a unit is meant as an angle, too, and is then
-// refused. Words behind -- stay as they are.
+// Makes one word of --merge-coplanar and an angle behind it, which CLI11 would take for a file:
+// whether a value follows an option, it decides without looking at it. A number without a unit is
+// meant as an angle, too, and is then refused. Words behind -- stay as they are.
 std::vector<std::string> with_angles_joined(int argc, char** argv);
 
 }  // namespace circumspect::cli

@@ -72,7 +72,8 @@ void put_into_group(CLI::Option& option) {
   }
 }
 
-// How many characters fit a line: what COLUMNS says, or the terminal, or as many as any terminal has.
+// How many characters fit a line: what COLUMNS says, or the terminal, or as many as any terminal
+// has.
 std::size_t width() {
   constexpr std::size_t kUsual = 80;
   const char* const columns = std::getenv("COLUMNS");
@@ -86,8 +87,8 @@ std::size_t width() {
   return count == 0 ? kUsual : count;
 }
 
-// Breaks each line between words, as far as that can be, so that none is longer. Lines that begin with a blank, which
-// are examples, stay as they are.
+// Breaks each line between words, as far as that can be, so that none is longer. Lines that begin
+// with a blank, which are examples, stay as they are.
 std::string wrapped(const std::string& text, std::size_t longest) {
   std::string broken;
   std::istringstream lines(text);
@@ -105,7 +106,8 @@ std::string wrapped(const std::string& text, std::size_t longest) {
   return broken;
 }
 
-// One line for each paragraph of a text whose lines are broken; examples, which begin with a blank, stay as they are.
+// One line for each paragraph of a text whose lines are broken; examples, which begin with a blank,
+// stay as they are.
 std::string with_lines_joined(const std::string& text) {
   std::string joined;
   bool in_paragraph = false;
@@ -119,7 +121,8 @@ std::string with_lines_joined(const std::string& text) {
   return joined;
 }
 
-// Lays --help out. CLI11's own formatter would do, but that it does so differently in each of its versions.
+// Lays --help out. CLI11's own formatter would do, but that it does so differently in each of its
+// versions.
 class HelpFormatter : public CLI::FormatterBase {
  public:
   std::string make_help(const CLI::App* command, std::string name,

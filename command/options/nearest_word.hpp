@@ -9,10 +9,12 @@
 
 namespace circumspect::cli {
 
-// How many letters have to be put in, left out or replaced, or neighbours exchanged, to make one word of
-// the other (the distance of Damerau and Levenshtein in which no part is edited twice). Case counts.
+// How many letters have to be put in, left out or replaced, or neighbours exchanged, to make one
+// word of the other (the distance of Damerau and Levenshtein in which no part is edited twice).
+// Case counts.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Rows of the table of distances between the beginnings: the one before the last, the last, and this.
+  // Rows of the table of distances between the beginnings: the one before the last, the last, and
+  // this.
   std::vector<std::size_t> before;
   std::vector<std::size_t> last(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -32,8 +34,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// The word of a list that is nearest to this one, whatever the case of its letters, the first of several;
-// "" if none is near: at most a third of its letters may be wrong, or it begins the word.
+// The word of a list that is nearest to this one, whatever the case of its letters, the first of
+// several; "" if none is near: at most a third of its letters may be wrong, or it begins the word.
 inline std::string nearest_word(std::string_view found, const std::vector<std::string>& words) {
   const auto bare = [](std::string_view word) {
     std::string letters;

@@ -14,8 +14,8 @@
 
 namespace circumspect::cli {
 
-// For CLI::Option::transform: takes one of the words, in whatever case, for what it stands for. CLI11's own
-// CLI::CheckedTransformer shows its users the numbers of the enumerators.
+// For CLI::Option::transform: takes one of the words, in whatever case, for what it stands for.
+// CLI11's own CLI::CheckedTransformer shows its users the numbers of the enumerators.
 template <class Enum>
 CLI::Validator one_of(const std::map<std::string, Enum>& words) {
   static_assert(std::is_enum_v<Enum>);

@@ -89,7 +89,8 @@ std::string argument_text(const CLI::App& command, const std::string& word) {
                      word, nearest_text(word, names));
 }
 
-// What was expected where nothing was found: an argument or an option that must be there, or a subcommand.
+// What was expected where nothing was found: an argument or an option that must be there, or a
+// subcommand.
 std::string missing_text(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
@@ -106,8 +107,8 @@ bool is_option(const std::string& word) {
   return word.size() > 1 && word.front() == '-' && word != "--";
 }
 
-// The option among the words that are left over. Where a subcommand was expected all words behind the first
-// are about that.
+// The option among the words that are left over. Where a subcommand was expected all words behind
+// the first are about that.
 std::optional<std::string> left_over_option(const CLI::App& command) {
   Words words = command.remaining();
   if (!words.empty() && !shown_subcommands(command).empty()) words.resize(1);

@@ -1,4 +1,5 @@
-// How long work takes, about, on a machine of 2023: for Output::begin, which says it beforehand if nobody waits that long.
+// How long work takes, about, on a machine of 2023: for Output::begin, which says it beforehand if
+// nobody waits that long.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +12,9 @@
 
 namespace circumspect::cli {
 
-// How many simplices of the highest dimension a triangulation has at most, less than the Upper Bound Theorem
-// allows for its lifted points: about half of the facets of a cyclic polytope. And how long it takes to
-// make them, in dimensions in which that is more than a moment.
+// How many simplices of the highest dimension a triangulation has at most, less than the Upper
+// Bound Theorem allows for its lifted points: about half of the facets of a cyclic polytope. And
+// how long it takes to make them, in dimensions in which that is more than a moment.
 inline std::optional<double> seconds_of_triangulating(std::size_t points, int dimension) {
   if (dimension < 4) return std::nullopt;
   const auto n = static_cast<double>(points);
@@ -23,9 +24,9 @@ inline std::optional<double> seconds_of_triangulating(std::size_t points, int di
   return simplices * 1e-6 * std::pow(dimension, 3);
 }
 
-// By definition, every pair of simplices is looked at, and every simplex with every point. By lemma, each facet of each
-// simplex is: in the plane and in space nobody need wait long for that, but a determinant of dimension k takes k³
-// multiplications of numbers that become longer with k.
+// By definition, every pair of simplices is looked at, and every simplex with every point. By
+// lemma, each facet of each simplex is: in the plane and in space nobody need wait long for that,
+// but a determinant of dimension k takes k³ multiplications of numbers that become longer with k.
 inline std::optional<double> seconds_of_judging(const Mesh& mesh, const check::Options& options) {
   const auto simplices = static_cast<double>(mesh.simplices.size());
   const auto points = static_cast<double>(mesh.points());

@@ -13,25 +13,27 @@
 
 namespace circumspect::cli {
 
-// While there is one, a thread of its own looks on. From the third second on it shows on standard error, if
-// that is a terminal, what is being done, how far it has come and how long it has taken. At the first SIGINT
-// or SIGTERM (not if these were ignored), or when the time is up, it says the last words, and ends the
-// process within a second, whatever the other threads are at; the second signal ends it
-// as signals do. So nothing that computes need ask whether it is to end. Nothing may be written to files
-// meanwhile, which would stay unfinished: whoever writes one ends this first.
+// While there is one, a thread of its own looks on. From the third second on it shows on standard
+// error, if that is a terminal, what is being done, how far it has come and how long it has taken.
+// At the first SIGINT or SIGTERM (not if these were ignored), or when the time is up, it says the
+// last words, and ends the process within a second, whatever the other threads are at; the second
+// signal ends it as signals do. So nothing that computes need ask whether it is to end. Nothing may
+// be written to files meanwhile, which would stay unfinished: whoever writes one ends this first.
 //
-// One at a time. Where the system gives no thread there is nothing to see, and signals keep their meaning.
+// One at a time. Where the system gives no thread there is nothing to see, and signals keep their
+// meaning.
 class LongWork {
  public:
-  // `last_words` is called in the thread, with why the work ends: "interrupted after 12.3 s, while judging
-  // part.1.ele". It returns the exit code. `seconds`: how long the work may take.
+  // `last_words` is called in the thread, with why the work ends: "interrupted after 12.3 s, while
+  // judging part.1.ele". It returns the exit code. `seconds`: how long the work may take.
   LongWork(std::string command, std::optional<double> seconds, bool shows,
            std::function<int(const std::string& why)> last_words);
   ~LongWork();
   LongWork(const LongWork&) = delete;
   LongWork& operator=(const LongWork&) = delete;
 
-  // What is being done from now on: "judging part.1.ele". `expected`: how many seconds that takes, about.
+  // What is being done from now on: "judging part.1.ele". `expected`: how many seconds that takes,
+  // about.
   void begin(std::string what, std::optional<double> expected = {});
   // Who is told how far that has come. It may be called as long as this lives.
   Progress progress();

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "command/options/one_of.hpp"
-#include "command/options/whole_number.hpp"
+#include "command/options/quantity.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 
@@ -58,8 +58,8 @@ void print(const std::string& text) {
   if (written != text.size() && why_not_written == 0) why_not_written = errno;
 }
 
-// The same lines, with the words in colour at which one looks first: those before a colon that say whether it
-// holds, and the names of rules, which have a dot. For terminals.
+// The same lines, with the words in colour at which one looks first: those before a colon that say
+// whether it holds, and the names of rules, which have a dot. For terminals.
 std::string in_colour(const std::string& lines) {
   static const std::map<std::string_view, std::string_view> colours = {
       {"holds", "\x1b[1;32m"},  {"same", "\x1b[1;32m"},      {"fails", "\x1b[1;31m"},
@@ -105,18 +105,10 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 }
 
 void add_limit_option(CLI::App& command, OutputOptions& options) {
-  command
-      .add_option_function<std::string>(
-          "--limit",
-          [&options](const std::string& text) {
-            double seconds = 0;
-            const std::string fault = read_duration(text, seconds);
-            if (!fault.empty()) throw CLI::ValidationError("--limit", fault);
-            options.limit = seconds;
-          },
-          "Stop after TIME, such as 90s, 15m or 1h, print what is known by then, and end with "
-          "exit code 4 (default: never)")
-      ->option_text("TIME");
+  add_options(command,
+              {{"--limit", "TIME", duration(options.limit),
+                "Stop after TIME, such as 90s, 15m or 1h, print what is known by then, and end "
+                "with exit code 4 (default: never)"}});
 }
 
 void Output::watch(const std::string& command) {

@@ -1,4 +1,5 @@
-// The output of subcommands: results on stdout, errors on stderr, files complete or not at all, and exit codes.
+// The output of subcommands: results on stdout, errors on stderr, files complete or not at all, and
+// exit codes.
 #pragma once
 
 #include <functional>
@@ -48,18 +49,19 @@ void add_output_options(CLI::App& command, OutputOptions& options);
 // --limit TIME, for commands that call Output::watch.
 void add_limit_option(CLI::App& command, OutputOptions& options);
 
-// Collects what a run says: text as it comes, or one JSON document {"circumspect": 1, "results": […]}
-// at the end; and the worst exit code so far.
+// Collects what a run says: text as it comes, or one JSON document {"circumspect": 1, "results":
+// […]} at the end; and the worst exit code so far.
 class Output {
  public:
   explicit Output(const OutputOptions& options) : options_(options) {}
 
-  // From now on long work is shown, and an interrupt or the limit ends the command, with what is known and
-  // a last line, "undecided: …", that says what it was at (see long_work.hpp); until the end, or until
-  // files are written, which are to be whole or not at all.
+  // From now on long work is shown, and an interrupt or the limit ends the command, with what is
+  // known and a last line, "undecided: …", that says what it was at (see long_work.hpp); until the
+  // end, or until files are written, which are to be whole or not at all.
   void watch(const std::string& command);
   void end_watch() { long_work_.reset(); }
-  // What is being done: "judging part.1.ele". If it is expected to take long, that is said beforehand.
+  // What is being done: "judging part.1.ele". If it is expected to take long, that is said
+  // beforehand.
   void begin(const std::string& what, std::optional<double> seconds = {});
   Progress progress() const { return long_work_ ? long_work_->progress() : Progress(); }
   // What is known, in JSON, of what is not done yet: it is part of the last words.
@@ -68,7 +70,8 @@ class Output {
   bool wants_text() const { return options_.format == OutputFormat::kText && !options_.quiet; }
   bool wants_json() const { return options_.format == OutputFormat::kJson && !options_.quiet; }
 
-  // Lines, in colour where that is wanted; what would move a cursor is escaped. Names in them have been put on one line (printable.hpp).
+  // Lines, in colour where that is wanted; what would move a cursor is escaped. Names in them have
+  // been put on one line (printable.hpp).
   void text(const std::string& text) const;
   // One line: what was read otherwise than it stands there.
   void note(const std::string& note) const;
@@ -104,16 +107,17 @@ ExitCode usage_error(const std::string& message);
 // To stderr, at once; where nobody can be told, nobody is.
 void say(const std::string& text);
 
-// What to exit with, after all that stands on stdout has been written: kInternalError, with a line on stderr, if
-// that was not possible. The last call of every command, whatever it has written and how.
+// What to exit with, after all that stands on stdout has been written: kInternalError, with a line
+// on stderr, if that was not possible. The last call of every command, whatever it has written and
+// how.
 ExitCode when_written(ExitCode code);
 
-// A command may be started without one of the three standard files: then the first that it opens would be
-// taken for it. Called before anything is opened.
+// A command may be started without one of the three standard files: then the first that it opens
+// would be taken for it. Called before anything is opened.
 void keep_standard_files_apart();
 
-// Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message, or an empty string
-// (about stdout always: when_written says it).
+// Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message,
+// or an empty string (about stdout always: when_written says it).
 std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace circumspect::cli

@@ -29,8 +29,8 @@ struct Files {
   std::string mesh = folder.write("z.ele", kQuadTriangles);
   std::string points = folder.write("z.node", kQuadPoints);
 
-  // A command that writes to `target` ends with exit code 2 and a line that names what it reads, and leaves
-  // what is there as it is.
+  // A command that writes to `target` ends with exit code 2 and a line that names what it reads,
+  // and leaves what is there as it is.
   void are_kept(const Arguments& arguments, const std::string& target) const {
     const std::string before = contents(target);
     const Run refused = run(arguments);

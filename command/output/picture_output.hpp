@@ -16,14 +16,16 @@ struct PictureOptions {
   std::optional<std::string> vtu;   // cells: .vtu or .msh
 };
 
-// --html FILE, of a command whose page shows something else than verdicts: `what`, "each breach of a domain as a picture".
+// --html FILE, of a command whose page shows something else than verdicts: `what`, "each breach of
+// a domain as a picture".
 void add_page_option(CLI::App& command, std::string& html, const std::string& what);
 
 // Why the page cannot be written beside what is read; empty if it can, and if there is none.
 std::string page_fault(const std::string& html, std::vector<Written> others,
                        const std::vector<std::string>& read);
 
-// Writes it, if there is to be one. A file that cannot be written is said on stderr and in the exit code.
+// Writes it, if there is to be one. A file that cannot be written is said on stderr and in the exit
+// code.
 void write_page(const std::string& html, const picture::Page& page, Output& output);
 
 void add_picture_options(CLI::App& command, PictureOptions& options);
@@ -34,8 +36,8 @@ std::string picture_fault(const PictureOptions& options, std::size_t meshes);
 // The files that they name, for overwriting_fault.
 std::vector<Written> picture_files(const PictureOptions& options);
 
-// Collects verdicts, and writes the files at the end. A file that cannot be written is said on stderr and in
-// the exit code.
+// Collects verdicts, and writes the files at the end. A file that cannot be written is said on
+// stderr and in the exit code.
 class Pictures {
  public:
   explicit Pictures(const PictureOptions& options) : options_(options) {}

@@ -1,5 +1,5 @@
-// No file is left half-written, nor under its temporary name: not by a limit on files, not by a full
-// disk, not by a signal that ends the command.
+// No file is left half-written, nor under its temporary name: not by a limit on files, not by a
+// full disk, not by a signal that ends the command.
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -200,7 +200,8 @@ TEST_CASE("unwritable standard output has one answer") {
 }
 
 TEST_CASE("without threads: the same answer") {
-  // Enough rows for several threads, of a user who may have one task. A superuser may have any number.
+  // Enough rows for several threads, of a user who may have one task. A superuser may have any
+  // number.
   const ScratchFolder folder;
   const std::string points = folder.path("x.node");
   const std::string mesh = folder.path("x.ele");

@@ -1,4 +1,5 @@
-// circumspect command-pages FOLDER: for the build, which installs what is written. `--help` does not show it.
+// circumspect command-pages FOLDER: for the build, which installs what is written. `--help` does
+// not show it.
 #include "command/pages/command_pages.hpp"
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Man pages and completions, made from the options of the command itself, so that they agree with `--help`.
+// Man pages and completions, made from the options of the command itself, so that they agree with
+// `--help`.
 #pragma once
 
 #include <string>

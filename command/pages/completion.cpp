@@ -79,7 +79,8 @@ std::string zsh_option(const CLI::Option& option) {
   return lines;
 }
 
-// What stands without a name: files, but for the program that campaigns run, for families and for what `help` is about.
+// What stands without a name: files, but for the program that campaigns run, for families and for
+// what `help` is about.
 std::string zsh_positionals(const CLI::App& command, const std::vector<CommandPath>& all) {
   std::string lines;
   int place = 0;

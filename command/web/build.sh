@@ -1,8 +1,9 @@
 #!/bin/bash
 # Builds the command for browsers:
 #   command/web/build.sh FOLDER
-# FOLDER/index.html is the page, which needs no other file; circumspect.js and circumspect.wasm beside it are for the
-# tests. FOLDER/libraries, FOLDER/build and FOLDER/modules are kept, so that a second build is short.
+# FOLDER/index.html is the page, which needs no other file; circumspect.js and circumspect.wasm
+# beside it are for the tests. FOLDER/libraries, FOLDER/build and FOLDER/modules are kept, so that a
+# second build is short.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

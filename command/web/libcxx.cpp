@@ -63,7 +63,8 @@ to_chars_result to_chars(char* first, char* last, double value) {
   return copied(sign + (fixed.size() <= scientific.size() ? fixed : scientific), first, last);
 }
 
-// [-]digits[.digits][e[+-]digits]. Infinities and what is not a number, which no reader takes, are refused as well.
+// [-]digits[.digits][e[+-]digits]. Infinities and what is not a number, which no reader takes, are
+// refused as well.
 from_chars_result from_chars(const char* first, const char* last, double& value) {
   const char* at = first;
   if (at != last && *at == '-') ++at;
@@ -83,7 +84,8 @@ from_chars_result from_chars(const char* first, const char* last, double& value)
     const char* const end = behind_digits(exponent, last);
     if (end != exponent) at = end;
   }
-  // strtod wants a zero behind the number, and here may see nothing else of the text: "0x" is 0 and an x.
+  // strtod wants a zero behind the number, and here may see nothing else of the text: "0x" is 0 and
+  // an x.
   char buffer[64];
   const auto size = static_cast<size_t>(at - first);
   const string copy = size < sizeof buffer ? string() : string(first, at);

@@ -1,5 +1,5 @@
-// The parts of C++20 that the sources use and that libc++ 14 of Debian's Emscripten (without threads) lacks.
-// The build for the browser includes it before every file; no other build sees it.
+// The parts of C++20 that the sources use and that libc++ 14 of Debian's Emscripten (without
+// threads) lacks. The build for the browser includes it before every file; no other build sees it.
 #pragma once
 
 #include <algorithm>

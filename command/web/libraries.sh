@@ -1,9 +1,10 @@
 #!/bin/bash
-# Compiles for WebAssembly the libraries of which Debian has no archive for it, from Debian's own sources:
+# Compiles for WebAssembly the libraries of which Debian has no archive for it, from Debian's own
+# sources:
 #   command/web/libraries.sh FOLDER
-# FOLDER/include has their headers, and links to those of the libraries that are headers alone; FOLDER/lib has the
-# archives. Neither the package sources of the system nor anything else outside FOLDER is changed. A second call
-# does nothing unless this script has changed.
+# FOLDER/include has their headers, and links to those of the libraries that are headers alone;
+# FOLDER/lib has the archives. Neither the package sources of the system nor anything else outside
+# FOLDER is changed. A second call does nothing unless this script has changed.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "${1:?usage: command/web/libraries.sh FOLDER}"

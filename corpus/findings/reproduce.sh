@@ -5,8 +5,8 @@
 #     corpus/findings/reproduce.sh NAME
 #
 # Needs `circumspect` (or CIRCUMSPECT=…) and the program; `peer` and `checked_by` are made by the
-# tests and found in build/release/tests; libraries that hunt calls are looked for in the folder BUILDS. Exit code 0 would
-# mean that the fault is gone.
+# tests and found in build/release/tests; libraries that hunt calls are looked for in the folder
+# BUILDS. Exit code 0 would mean that the fault is gone.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 PATH=$PATH:$here/../../build/release/bin:$here/../../build/release/tests

@@ -17,7 +17,8 @@ def row(arguments, verdict, what):
     ROWS.append((arguments, verdict, what))
 
 
-# ---- Meshes: cells of a grid, each cut into six tetrahedra around its diagonal (H. Kuhn), which is Delaunay ----
+# ---- Meshes: cells of a grid, each cut into six tetrahedra around its diagonal (H. Kuhn), which is
+# Delaunay ----
 
 def grid(ticks, inside):
     """Points and tetrahedra of the cells (x, y, z) for which inside(x, y, z) holds; `ticks` along each axis."""

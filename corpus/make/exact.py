@@ -84,7 +84,8 @@ class PointSet:
         value = sign(determinant([r + (h,) for r, h in zip(rows, lifted)])) * side
         if value or not perturbed:
             return value
-        # Weights: the height of the lexicographically first point sinks most, then that of the second ...
+        # Weights: the height of the lexicographically first point sinks most, then that of the
+        # second ...
         for v in sorted([*simplex, q], key=self.rank.get):
             if v == q:
                 return 1  # q sinks below the witness plane

@@ -38,8 +38,8 @@ def inputs():
 
 
 # Inputs on which a random search saw a program go wrong (points of these families, nearly coplanar,
-# nearly collinear, turned grids and prisms, near duplicates), shrunk by leaving out points as long as
-# the verdict on that program's output stayed the same. Their files are kept as they were found.
+# nearly collinear, turned grids and prisms, near duplicates), shrunk by leaving out points as long
+# as the verdict on that program's output stayed the same. Their files are kept as they were found.
 HUNTED = [
     ("hunted-tetgen-flat-3d", "part of a turned prism; TetGen makes a flat tetrahedron"),
     ("hunted-tetgen-duplicate-3d", "near a line but for two points; TetGen lists a tetrahedron twice"),

@@ -1,5 +1,5 @@
-// A libFuzzer target that finds wrong triangulations, not only crashes. This program rounds, and the
-// fuzzer finds points on which that matters within seconds.
+// A libFuzzer target that finds wrong triangulations, not only crashes. This program rounds, and
+// the fuzzer finds points on which that matters within seconds.
 #include <circumspect/fuzz.hpp>
 #include <circumspect/properties.hpp>
 

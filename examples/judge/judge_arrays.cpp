@@ -1,5 +1,5 @@
-// Judges two meshes of one square that lie in arrays: one is Delaunay, the other is not. Exit code 0 if
-// the judge says so.
+// Judges two meshes of one square that lie in arrays: one is Delaunay, the other is not. Exit code
+// 0 if the judge says so.
 #include <cstdint>
 #include <cstdio>
 #include <vector>

@@ -5,8 +5,8 @@
 #include <circumspect/properties.hpp>
 #include <doctest/doctest.h>
 
-// The program computes in doubles, so it is right where nothing is rounded: on small integers. To see it
-// fail, and on how few points, remove the line `.families`.
+// The program computes in doubles, so it is right where nothing is rounded: on small integers. To
+// see it fail, and on how few points, remove the line `.families`.
 CIRCUMSPECT_DELAUNAY_PROPERTIES("triangulate", circumspect::from_arrays<2>(example::triangulate),
                                 {
                                     .dimension = 2,

@@ -1,4 +1,5 @@
-// A worker for `circumspect campaign --worker -- ./mine`: c++ -std=c++17 -o mine mine.cpp your_library.cpp
+// A worker for `circumspect campaign --worker -- ./mine`: c++ -std=c++17 -o mine mine.cpp
+// your_library.cpp
 #include <cstdio>
 #include <exception>
 #include <vector>

@@ -1,4 +1,5 @@
-# A worker for `circumspect campaign --worker -- python3 mine.py`: it answers each case with simplices.
+# A worker for `circumspect campaign --worker -- python3 mine.py`: it answers each case with
+# simplices.
 import sys
 
 from scipy.spatial import Delaunay, QhullError

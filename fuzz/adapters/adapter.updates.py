@@ -1,4 +1,5 @@
-# A worker for `circumspect campaign --worker --updates insert,delete -- python3 mine.py`: points come and go.
+# A worker for `circumspect campaign --worker --updates insert,delete -- python3 mine.py`: points
+# come and go.
 import sys
 
 from scipy.spatial import Delaunay

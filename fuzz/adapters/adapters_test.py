@@ -33,7 +33,8 @@ class Delaunay:
         if len(p) < 3: raise QhullError("too few points")
 """
 
-# A structure around it that is right, or that forgets to forget: a point that was there before does not come back.
+# A structure around it that is right, or that forgets to forget: a point that was there before does
+# not come back.
 UPDATES = {
     False: "",
     True: """
@@ -203,7 +204,8 @@ def trial(command, language, make, forgets):
         return "" if again.returncode == 1 else f"expected reproduce.sh to end with 1, found {again.returncode}"
 
 
-# A square with segments around it and the seed of a hole, which the adapters of the hunt read and leave alone.
+# A square with segments around it and the seed of a hole, which the adapters of the hunt read and
+# leave alone.
 HOLED = "4 2 0 4 0 1\n0 0\n4 0\n4 4\n0 4\n0 1\n1 2\n2 3\n3 0\n0.5 1.5\n"
 ANSWER = "nOFF 2\n4 2 0\n0 0\n4 0\n4 4\n0 4\n3 0 1 2\n3 0 2 3\n"
 HUNT = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "hunt")

@@ -121,7 +121,7 @@ Outcome judged_set(const Subject& subject, const PointsCase& set, const std::str
                         " points of the input, found " + std::to_string(points.size()) +
                         ", not the same ones");
   }
-  const Verdict verdict = check::judge_merged(subject.claim, *mesh, nullptr, options());
+  const Verdict verdict = check::judge(subject.claim, check::Merging{*mesh}, nullptr, options());
   return outcome_of(verdict, *mesh, subject, nullptr);
 }
 
@@ -226,7 +226,7 @@ bool holds_when_moved(const Subject& subject, const Input& input, Mesh mesh, Ver
   if (judged_points(input)) {
     const bool is_plain = subject.claim != Claim::kWeightedDelaunay;
     const Claim claim = is_plain ? Claim::kTriangulation : subject.claim;
-    return check::judge_merged(claim, mesh, nullptr, options()).holds();
+    return check::judge(claim, check::Merging{mesh}, nullptr, options()).holds();
   }
   auto complex = held_against(subject, std::get<ComplexCase>(input));
   if (!complex) return false;
@@ -338,7 +338,7 @@ Comparison compared(const Subject& subject, const Input& input, const std::strin
       domain = Domain{std::move(*complex), {}, subject.first_index, {}};
     }
     const Verdict verdict =
-        check::judge_merged(claim, *mesh, domain ? &*domain : nullptr, options());
+        check::judge(claim, check::Merging{*mesh}, domain ? &*domain : nullptr, options());
     comparison.is_unique = comparison.is_unique || verdict.unique.value_or(false);
   }
   comparison.are_same = simplices.front() == simplices.back();

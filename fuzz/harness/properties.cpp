@@ -123,7 +123,7 @@ bool is_the_only_answer(const PropertyOptions& options, const PointArray& points
   const bool weighted = options.claim == "weighted-delaunay";
   Mesh mesh = arrays::mesh_of(points, given.simplices, weighted);
   const Claim claim = weighted ? Claim::kWeightedDelaunay : Claim::kDelaunay;
-  const Verdict verdict = check::judge_merged(claim, mesh, nullptr, {.threads = 1});
+  const Verdict verdict = check::judge(claim, check::Merging{mesh}, nullptr, {.threads = 1});
   return verdict.holds() && verdict.unique.value_or(false);
 }
 

@@ -1,6 +1,6 @@
 #!/bin/bash -eu
-# Builds the fuzz targets in an OSS-Fuzz or ClusterFuzzLite container: into $OUT, each with its seeds and
-# its dictionary. $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE are given.
+# Builds the fuzz targets in an OSS-Fuzz or ClusterFuzzLite container: into $OUT, each with its
+# seeds and its dictionary. $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE are given.
 : "${SRC:?}" "${OUT:?}" "${WORK:?}"
 
 cmake -S "$SRC/circumspect" -B "$WORK/build" -G Ninja \

@@ -1,6 +1,6 @@
-// The checkers by lemma and by definition agree, on right meshes and on broken ones. Book: Definitions
-// 2.1 and 4.1, Lemma 4.1. Input: a byte with dimension and weights, nine that break the mesh in up to
-// three ways, then points.
+// The checkers by lemma and by definition agree, on right meshes and on broken ones. Book:
+// Definitions 2.1 and 4.1, Lemma 4.1. Input: a byte with dimension and weights, nine that break the
+// mesh in up to three ways, then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

@@ -1,5 +1,6 @@
-// Every construction of the canonical (weighted) Delaunay triangulation equals the one by definition.
-// Book: Sections 5.2 to 5.5. Input: a byte with dimension (bit 0) and weights (bit 1), then points.
+// Every construction of the canonical (weighted) Delaunay triangulation equals the one by
+// definition. Book: Sections 5.2 to 5.5. Input: a byte with dimension (bit 0) and weights (bit 1),
+// then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"

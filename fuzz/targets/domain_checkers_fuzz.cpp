@@ -1,7 +1,7 @@
-// The checkers of claims about a domain agree by lemma and by definition, on CDTs and on broken meshes.
-// Book: Definitions 4.3 to 4.7, Lemma 4.10. Input: a byte with dimension and kind (bit 2: the hull),
-// nine that break the mesh, twelve that make up to six segments in the plane or four triangles in
-// space, then points.
+// The checkers of claims about a domain agree by lemma and by definition, on CDTs and on broken
+// meshes. Book: Definitions 4.3 to 4.7, Lemma 4.10. Input: a byte with dimension and kind (bit 2:
+// the hull), nine that break the mesh, twelve that make up to six segments in the plane or four
+// triangles in space, then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"

@@ -1,5 +1,5 @@
-// No bytes crash a reader, and every error is one line that names the file. Input: a byte that picks
-// the format, one for how numbers are read, then the text.
+// No bytes crash a reader, and every error is one line that names the file. Input: a byte that
+// picks the format, one for how numbers are read, then the text.
 #include <array>
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,5 @@
-// How all fuzz targets read their bytes: the first few select what is done, and the others make points.
+// How all fuzz targets read their bytes: the first few select what is done, and the others make
+// points.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Runs a fuzz target on files, or on all files of folders, without libFuzzer: for seeds and old findings,
-// with any compiler. The file whose input fails is the last one named.
+// Runs a fuzz target on files, or on all files of folders, without libFuzzer: for seeds and old
+// findings, with any compiler. The file whose input fails is the last one named.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,12 +1,12 @@
 #!/bin/bash
-# Runs fuzz targets on their seeds and on so many new inputs each (0: until the time is over), the same on
-# every run:
+# Runs fuzz targets on their seeds and on so many new inputs each (0: until the time is over), the
+# same on every run:
 #   fuzz/targets/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]
-# TARGET is a fuzzer, FOLDER one that has them all, such as build/sanitize/fuzz. Exits 1 at the first
-# finding, which stays in a folder that is named, and says how to repeat it. SEED=… draws other inputs.
-# TOTALS=FILE adds to a table, a line for each target of each build: inputs run so far in all, and the most edges and
-# features that a run came across.
-# CORPUS=FOLDER begins with the inputs that former runs kept there, and leaves there a smallest set that covers as much.
+# TARGET is a fuzzer, FOLDER one that has them all, such as build/sanitize/fuzz. Exits 1 at the
+# first finding, which stays in a folder that is named, and says how to repeat it. SEED=… draws
+# other inputs. TOTALS=FILE adds to a table, a line for each target of each build: inputs run so far
+# in all, and the most edges and features that a run came across. CORPUS=FOLDER begins with the
+# inputs that former runs kept there, and leaves there a smallest set that covers as much.
 set -euo pipefail
 
 [ $# -ge 2 ] || { echo "usage: fuzz/targets/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]" >&2; exit 2; }
@@ -31,7 +31,8 @@ for target in "${targets[@]}"; do
   dictionary=()
   [ ! -f "$sources/$name.dict" ] || dictionary=("-dict=$sources/$name.dict")
   status=0
-  # New inputs go to the first folder; the seeds stay as they are. Whatever a seed, a run is at most 25 s.
+  # New inputs go to the first folder; the seeds stay as they are. Whatever a seed, a run is at most
+  # 25 s.
   "$target" -runs="$runs" -seed="${SEED:-20260101}" -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 \
     -artifact_prefix="$work/" -print_final_stats=1 "${dictionary[@]}" "$work/corpus" \
     "$sources/seeds/$name" >"$work/log" 2>&1 || status=$?

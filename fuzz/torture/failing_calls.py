@@ -37,7 +37,8 @@ import hostile_programs
 
 TIME_LIMIT = 60
 FOR_EVER = 10 ** 9
-# Group of calls (failing_calls.c lists them), error, and whether all from the n-th on fail, as on a disk that is full.
+# Group of calls (failing_calls.c lists them), error, and whether all from the n-th on fail, as on a
+# disk that is full.
 FAILURES = [
     ("open", "EMFILE", False), ("open", "EMFILE", True), ("open", "EIO", False), ("read", "EIO", False),
     ("read", "EINTR", False), ("write", "ENOSPC", False), ("write", "ENOSPC", True), ("write", "EIO", False),
@@ -146,7 +147,8 @@ class Torture:
             if run.name == "campaign-again":
                 journal = self.out / "campaign" / "journal.tsv"
                 outputs["journal"] = b"" if journal.read_bytes().startswith(self.journal) else journal.read_bytes()
-            # How long it took differs, and a campaign may say that it had to do without a namespace.
+            # How long it took differs, and a campaign may say that it had to do without a
+            # namespace.
             done.stdout = re.sub(rb"in [0-9.]+ (s|min)|note: a supervisor contained[^\n]*\n", b"", done.stdout)
             done.stderr = re.sub(rb"^campaign: .*\n", b"", done.stderr, flags=re.MULTILINE)  # progress
         return done.returncode, done.stdout, done.stderr, outputs, struct.unpack("q", self.count.read_bytes())[0]
@@ -156,7 +158,8 @@ class Torture:
         paths = [path for path in self.out.rglob("*") if "unfinished" in path.name] + list(self.scratch.iterdir())
         faults = ["left processes " + " ".join(hostile_programs.processes_in(str(self.folder)))]
         faults = [] if faults[0] == "left processes " else faults
-        # What cannot be removed stays, and a folder that cannot be opened cannot be emptied; to open one takes memory.
+        # What cannot be removed stays, and a folder that cannot be opened cannot be emptied; to
+        # open one takes memory.
         if failure[0] in ("remove", "memory") or (failure[0] == "open" and failure[2]):
             paths = [path for path in paths if failure[0] != "remove" and not path.name.startswith("circumspect-campaign-")]
         if paths:

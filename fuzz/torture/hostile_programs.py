@@ -61,8 +61,8 @@ PROGRAMS = [
     Program("starts too many processes", "while :; do sleep 1000 & done", "process-limit", in_slice=True),
     Program("starts processes and never asks how they ended",
             PYTHON % "import os, time\nwhile True:\n  os.fork() or os._exit(0)", "process-limit", (NAMESPACES,)),
-    # Each process forks so often that there would be 1,024, and no more: the limit is looked at, and a bomb
-    # without end may take a slow machine before it is.
+    # Each process forks so often that there would be 1,024, and no more: the limit is looked at,
+    # and a bomb without end may take a slow machine before it is.
     Program("is a fork bomb",
             PYTHON % ("import os, time\nfor _ in range(10):\n  try: os.fork()\n  except OSError: pass\n"
                       "time.sleep(1000)"), "process-limit", (NAMESPACES,)),

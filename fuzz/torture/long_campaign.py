@@ -30,7 +30,8 @@ import adapters_test  # noqa: E402
 import hostile_programs  # noqa: E402
 from hostile_programs import NAMESPACES, SUPERVISOR, processes_in  # noqa: E402
 
-# Programs that would starve what else runs on a machine for hours, or that need a limit of their own.
+# Programs that would starve what else runs on a machine for hours, or that need a limit of their
+# own.
 LEFT_OUT = {"is a fork bomb", "is a fork bomb, each process of which begins a session",
             "starts processes and never asks how they ended", "kills all processes that it sees",
             "stops them all the time", "writes a mesh that takes long to judge"}

@@ -55,6 +55,35 @@ void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCerti
   }
 }
 
+// The polygon's segments, those that its lines list, as chains of edges of its mesh. `seen`: the same vertices in the plane.
+template <class Seen>
+void add_rim(const PolygonPlace& in, const Polygon& given, const std::set<Simplex>& listed,
+             const Seen& seen, PolygonCertificate& polygon, PartInput& part) {
+  for (const Simplex& segment : given.segments) {
+    if (!listed.contains(segment)) continue;
+    const auto found =
+        std::lower_bound(in.complex.segments.begin(), in.complex.segments.end(), segment);
+    polygon.rim.push_back(static_cast<std::size_t>(found - in.complex.segments.begin()));
+    const std::vector<Vertex> chain = seen(in.chain(polygon.rim.back()));
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      part.walls[sorted({chain[i], chain[i + 1]})] = {part.chains.size(), 0};
+    }
+    part.chains.push_back(chain);
+  }
+}
+
+void add_hole_seeds(const ScaledPoints& scale, const std::vector<Point>& seeds,
+                    PolygonCertificate& polygon, PartInput& part) {
+  for (const Point& seed : seeds) {
+    const HomogeneousPoint in_space = scaled(scale, seed);
+    HomogeneousPoint flat = in_space;
+    flat.numerators.erase(flat.numerators.begin() + static_cast<std::ptrdiff_t>(polygon.axis));
+    if (!simplex_around(part, flat)) continue;
+    polygon.seeds.push_back(in_space);
+    part.seeds.push_back(std::move(flat));
+  }
+}
+
 }  // namespace
 
 tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonPlace& in,
@@ -97,25 +126,8 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonP
   for (const Vertex v : polygon.above) {
     part.is_corner.push_back(in.is_corner(v));
   }
-  for (const Simplex& segment : given.segments) {
-    if (!listed.contains(segment)) continue;
-    const auto found =
-        std::lower_bound(in.complex.segments.begin(), in.complex.segments.end(), segment);
-    polygon.rim.push_back(static_cast<std::size_t>(found - in.complex.segments.begin()));
-    const std::vector<Vertex> chain = seen(in.chain(polygon.rim.back()));
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      part.walls[sorted({chain[i], chain[i + 1]})] = {part.chains.size(), 0};
-    }
-    part.chains.push_back(chain);
-  }
-  for (const Point& seed : given.hole_seeds) {
-    const HomogeneousPoint in_space = scaled(in.scaled_points, seed);
-    HomogeneousPoint flat = in_space;
-    flat.numerators.erase(flat.numerators.begin() + static_cast<std::ptrdiff_t>(polygon.axis));
-    if (!simplex_around(part, flat)) continue;
-    polygon.seeds.push_back(in_space);
-    part.seeds.push_back(std::move(flat));
-  }
+  add_rim(in, given, listed, seen, polygon, part);
+  add_hole_seeds(in.scaled_points, given.hole_seeds, polygon, part);
   auto found = domain_part(part);
   if (!found)
     return tl::unexpected(fmt::format("{}polygon {}: {}", kNoCertificate, cell + 1, found.error()));
@@ -155,6 +167,50 @@ void weigh(const MeshedDomain& in, const HullFillers& fillers, const Certificate
   }
 }
 
+// The pieces of each polygon, in space.
+std::vector<std::vector<Simplex>> tiles_of(const PiecewiseLinearComplex& complex,
+                                           const std::vector<WallPiece>& pieces) {
+  std::vector<std::vector<Simplex>> tiles(complex.polygons.size());
+  if (complex.ambient_dimension() == 2) return tiles;
+  for (const WallPiece& piece : pieces) tiles[piece.cell].push_back(piece.facet);
+  return tiles;
+}
+
+// By the facets, the cell that each is a piece of, and in space which of its pieces.
+decltype(PartInput::walls) walls_of(std::size_t dimension, const std::vector<WallPiece>& pieces) {
+  decltype(PartInput::walls) walls;
+  std::map<std::size_t, std::size_t> counts;
+  for (const WallPiece& piece : pieces) {
+    walls[piece.facet] = {piece.cell, dimension == 2 ? 0 : counts[piece.cell]++};
+  }
+  return walls;
+}
+
+bool is_of_domain(const MeshedDomain& in, Vertex v) {
+  return in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex;
+}
+
+// The certificates of the polygons. What is wrong with them; empty if nothing is.
+std::string add_polygons(const MeshedDomain& in, const ListedSegments& listed,
+                         const std::vector<std::vector<Simplex>>& tiles, const HullFillers& fillers,
+                         DomainCertificate& made) {
+  const auto places = places_of_facets(in.mesh, made.mesh);
+  const PolygonPlace place_of_polygons{
+      in.complex, in.mesh.points, made.mesh.points, [&](Vertex v) { return is_of_domain(in, v); },
+      [&](std::size_t segment) { return in.chains.chain(segment); }};
+  for (std::size_t cell = 0; cell < tiles.size(); ++cell) {
+    auto polygon = polygon_certificate(place_of_polygons, cell, listed[cell], tiles[cell], fillers);
+    if (!polygon) return polygon.error();
+    for (const Simplex& tile : tiles[cell]) {
+      const auto place = places.find(tile);
+      if (place == places.end()) return std::string(kNoCertificate) + "something dangles";
+      polygon->tiles.push_back(place->second);
+    }
+    made.polygons.push_back(std::move(*polygon));
+  }
+  return "";
+}
+
 tl::expected<DomainCertificate, std::string> certificate_in(
     const MeshedDomain& in, const Domain& domain, const ListedSegments& listed, Claim claim,
     const std::vector<WallPiece>& pieces, const HullFillers& fillers) {
@@ -173,7 +229,7 @@ tl::expected<DomainCertificate, std::string> certificate_in(
                              std::move(*points));
   PartInput part{.mesh = made.mesh, .kept = in.mesh.simplices.size(), .kind = made.kind};
   for (Vertex v = 0; in.mesh.points.names(v); ++v) {
-    part.is_corner.push_back(in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex);
+    part.is_corner.push_back(is_of_domain(in, v));
   }
   for (std::size_t s = 0; s < in.chains.size(); ++s) part.chains.push_back(in.chains.chain(s));
   if (made.kind == DomainKind::kHull) {
@@ -184,36 +240,16 @@ tl::expected<DomainCertificate, std::string> certificate_in(
       if (simplex_around(part, point)) part.seeds.push_back(std::move(point));
     }
   }
-  std::vector<std::vector<Simplex>> tiles(in.complex.polygons.size());
-  for (const WallPiece& piece : pieces) {
-    const std::size_t number = dimension == 2 ? 0 : tiles[piece.cell].size();
-    if (dimension == 3) tiles[piece.cell].push_back(piece.facet);
-    if (made.kind == DomainKind::kEnclosed || claim == Claim::kCdt || claim == Claim::kSteinerCdt) {
-      part.walls[piece.facet] = {piece.cell, number};
-    }
+  const std::vector<std::vector<Simplex>> tiles = tiles_of(in.complex, pieces);
+  if (made.kind == DomainKind::kEnclosed || claim == Claim::kCdt || claim == Claim::kSteinerCdt) {
+    part.walls = walls_of(dimension, pieces);
   }
   auto found = domain_part(part);
   if (!found) return tl::unexpected(std::string(kNoCertificate) + found.error());
   made.part = std::move(*found);
-  if (dimension == 2) {
-    made.complex = complex_part(made);
-    return made;
-  }
-  const auto places = places_of_facets(in.mesh, made.mesh);
-  const PolygonPlace place_of_polygons{
-      in.complex, in.mesh.points, made.mesh.points,
-      [&](Vertex v) { return in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex; },
-      [&](std::size_t segment) { return in.chains.chain(segment); }};
-  for (std::size_t cell = 0; cell < tiles.size(); ++cell) {
-    auto polygon = polygon_certificate(place_of_polygons, cell, listed[cell], tiles[cell], fillers);
-    if (!polygon) return tl::unexpected(polygon.error());
-    for (const Simplex& tile : tiles[cell]) {
-      const auto place = places.find(tile);
-      if (place == places.end())
-        return tl::unexpected(std::string(kNoCertificate) + "something dangles");
-      polygon->tiles.push_back(place->second);
-    }
-    made.polygons.push_back(std::move(*polygon));
+  if (dimension == 3) {
+    const std::string fault = add_polygons(in, listed, tiles, fillers, made);
+    if (!fault.empty()) return tl::unexpected(fault);
   }
   made.complex = complex_part(made);
   return made;

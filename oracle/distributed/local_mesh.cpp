@@ -207,68 +207,78 @@ std::vector<std::uint64_t> LocalMesh<kDimension>::curve_places(
   return places;
 }
 
+// Appends so many of its own simplices.
 template <std::size_t kDimension>
-void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
-  struct Key {
-    std::uint64_t curve, place;  // of the first vertex; of the simplex, hashed: no two are equal
-    auto operator<=>(const Key&) const = default;
-  };
-  struct Moved {
-    std::array<std::int64_t, kVertices> row;
-    std::uint64_t place;
-  };
-  const std::uint64_t own = dealt_.lists.size();
-  const SiteBox box = box_of_all(ranks);
-  std::vector<Moved> some;
-  const auto read = [&](std::uint64_t first, std::size_t count) {
-    std::vector<std::int64_t> values(count * kVertices);
-    if (count > 0) dealt_.lists.read(first, values);
-    for (std::size_t i = 0; i < count; ++i) {
-      Moved& moved = some.emplace_back();
-      std::copy_n(values.data() + i * kVertices, kVertices, moved.row.begin());
-      moved.place = place(static_cast<std::size_t>(first + i));
-    }
-  };
-  const auto keys_of_some = [&] {
-    std::vector<std::uint64_t> firsts;
-    for (const Moved& moved : some) {
-      const auto known = std::find_if(moved.row.begin(), moved.row.end(),
-                                      [&](std::int64_t v) { return names_point(place_of(v)); });
-      firsts.push_back(known == moved.row.end() ? 0 : static_cast<std::uint64_t>(place_of(*known)));
-    }
-    const std::vector<std::uint64_t> places = curve_places(ranks, firsts, box);
-    std::vector<Key> keys;
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      keys.push_back({places[i], fast::mixed_vertex(some[i].place)});
-    }
-    return keys;
-  };
-  // A sample determines where the parts begin.
+void LocalMesh<kDimension>::append_moved(std::uint64_t first, std::size_t count,
+                                         std::vector<Moved>& some) const {
+  std::vector<std::int64_t> values(count * kVertices);
+  if (count > 0) dealt_.lists.read(first, values);
+  for (std::size_t i = 0; i < count; ++i) {
+    Moved& moved = some.emplace_back();
+    std::copy_n(values.data() + i * kVertices, kVertices, moved.row.begin());
+    moved.place = place(static_cast<std::size_t>(first + i));
+  }
+}
+
+template <std::size_t kDimension>
+std::vector<typename LocalMesh<kDimension>::CurvePlace> LocalMesh<kDimension>::places_of(
+    Ranks& ranks, const std::vector<Moved>& some, const SiteBox& box) const {
+  std::vector<std::uint64_t> firsts;
+  for (const Moved& moved : some) {
+    const auto known = std::find_if(moved.row.begin(), moved.row.end(),
+                                    [&](std::int64_t v) { return names_point(place_of(v)); });
+    firsts.push_back(known == moved.row.end() ? 0 : static_cast<std::uint64_t>(place_of(*known)));
+  }
+  const std::vector<std::uint64_t> of_vertices = curve_places(ranks, firsts, box);
+  std::vector<CurvePlace> places;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    places.push_back({of_vertices[i], fast::mixed_vertex(some[i].place)});
+  }
+  return places;
+}
+
+// Where all parts but the first begin: a sample determines it.
+template <std::size_t kDimension>
+std::vector<typename LocalMesh<kDimension>::CurvePlace> LocalMesh<kDimension>::beginnings(
+    Ranks& ranks, const SiteBox& box) const {
   constexpr std::size_t kUsual = 512;
+  const std::uint64_t own = dealt_.lists.size();
   const std::uint64_t wanted = std::min<std::uint64_t>(
       {own, 2 * kUsual, (own * ranks.size() * kUsual + dealt_.simplices - 1) / dealt_.simplices});
-  for (std::uint64_t i = 0; i < wanted; ++i) read(own / wanted * i + own % wanted * i / wanted, 1);
-  std::vector<Key> sampled = ranks.at_first(keys_of_some());
+  std::vector<Moved> some;
+  for (std::uint64_t i = 0; i < wanted; ++i) {
+    append_moved(own / wanted * i + own % wanted * i / wanted, 1, some);
+  }
+  std::vector<CurvePlace> sampled = ranks.at_first(places_of(ranks, some, box));
   std::sort(sampled.begin(), sampled.end());
-  std::vector<Key> begins;  // of all parts but the first
+  std::vector<CurvePlace> begins;
   for (std::size_t part = 1; ranks.is_first() && part < ranks.size(); ++part) {
     begins.push_back(sampled[sampled.size() * part / ranks.size()]);
   }
-  begins = ranks.of_rank(0, std::move(begins));
+  return ranks.of_rank(0, std::move(begins));
+}
+
+template <std::size_t kDimension>
+void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
+  const std::uint64_t own = dealt_.lists.size();
+  const SiteBox box = box_of_all(ranks);
+  const std::vector<CurvePlace> begins = beginnings(ranks, box);
   // Rows and places of the simplices that come to this rank.
   auto rows = std::make_shared<std::pmr::vector<std::int64_t>>();
   std::pmr::vector<std::uint64_t> places;
   const auto expected = static_cast<std::size_t>(dealt_.simplices / ranks.size() * 9 / 8 + 64);
   rows->reserve(expected * kVertices);
   places.reserve(expected);
-  const std::size_t at_a_time =
-      std::min<std::size_t>(ranks.some(4 * sizeof(Moved) + 4 * sizeof(Key)), expected / 16 + 1);
+  const std::size_t at_a_time = std::min<std::size_t>(
+      ranks.some(4 * sizeof(Moved) + 4 * sizeof(CurvePlace)), expected / 16 + 1);
   const std::uint64_t rounds = ranks.most((own + at_a_time - 1) / at_a_time);
+  std::vector<Moved> some;
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const std::uint64_t first = std::min(own, round * at_a_time);
     some.clear();
-    read(first, static_cast<std::size_t>(std::min<std::uint64_t>(at_a_time, own - first)));
-    const std::vector<Key> keys = keys_of_some();
+    append_moved(first, static_cast<std::size_t>(std::min<std::uint64_t>(at_a_time, own - first)),
+                 some);
+    const std::vector<CurvePlace> keys = places_of(ranks, some, box);
     std::vector<std::vector<Moved>> out(ranks.size());
     for (std::size_t i = 0; i < some.size(); ++i) {
       const auto part = std::upper_bound(begins.begin(), begins.end(), keys[i]) - begins.begin();

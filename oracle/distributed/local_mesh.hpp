@@ -155,7 +155,21 @@ class LocalMesh {
   };
 
   void number_points(const PointNumbers& numbers);
+  // A simplex on its way to another rank, and its place along the curve: that of its first vertex,
+  // then its number, mixed; no two are equal.
+  struct Moved {
+    std::array<std::int64_t, kVertices> row;
+    std::uint64_t place;
+  };
+  struct CurvePlace {
+    std::uint64_t of_vertex, of_simplex;
+    auto operator<=>(const CurvePlace&) const = default;
+  };
   void deal_by_place(Ranks& ranks);
+  void append_moved(std::uint64_t first, std::size_t count, std::vector<Moved>& some) const;
+  std::vector<CurvePlace> places_of(Ranks& ranks, const std::vector<Moved>& some,
+                                    const SiteBox& box) const;
+  std::vector<CurvePlace> beginnings(Ranks& ranks, const SiteBox& box) const;
   std::vector<std::uint64_t> curve_places(Ranks& ranks, std::span<const std::uint64_t> points,
                                           const SiteBox& box) const;
   SiteBox box_of_all(Ranks& ranks) const;

@@ -1,67 +1,26 @@
 #include "oracle/judge/judge.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <string>
+#include <optional>
 #include <string_view>
-#include <thread>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/fast_view.hpp"
 #include "oracle/judge/held_complex.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
 namespace {
 
-// What the fast engine says, or why it says nothing.
-template <class Answer>
-using OrReason = tl::expected<Answer, std::string_view>;
-tl::unexpected<std::string_view> because(std::string_view reason) { return tl::unexpected(reason); }
-
 fast::Question question_of(Claim claim) {
   if (claim == Claim::kTriangulation) return fast::Question::kTriangulation;
   return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
-}
-
-unsigned threads_of(const Options& options) {
-  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-}
-
-// Calls `answer(view)` with the mesh as the fast engine sees it, without neighbours.
-template <class Answer, class Ask>
-OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) {
-  const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
-  const auto* const weights = std::get_if<Rows<double>>(&mesh.weights);
-  if (coordinates == nullptr || (weighted && weights == nullptr)) {
-    return because("a number that is no double");
-  }
-  return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> OrReason<Answer> {
-    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
-      return because("simplices of various sizes");
-    } else {
-      const auto simplices = lists.values();
-      using Index = typename decltype(simplices)::value_type;
-      const std::span<const double> counted =
-          weighted ? weights->values() : std::span<const double>();
-      if (lists.rows() == 0) return because(description(fast::Undecided::kEmpty));
-      if (lists.columns() != mesh.dimension() + 1) {
-        return because("simplices of a lower dimension");
-      }
-      if (mesh.dimension() == 2) {
-        return ask(fast::MeshView<2, Index>{coordinates->values(), counted, simplices});
-      }
-      if (mesh.dimension() == 3) {
-        return ask(fast::MeshView<3, Index>{coordinates->values(), counted, simplices});
-      }
-      return because("a dimension other than 2 and 3");
-    }
-  });
 }
 
 using FactsOrUndecided = tl::expected<fast::Facts, fast::Undecided>;
@@ -116,21 +75,6 @@ OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options&
   });
 }
 
-OrReason<fast::SimplexFacts> known_facts(Claim claim, const Mesh& mesh, DomainKind kind,
-                                         const Options& options) {
-  if (options.by != By::kLemma) return because("judged by definition");
-  const fast::Wanted wanted{.balls = is_about_balls(claim),
-                            .hull = kind == DomainKind::kHull,
-                            .boundary_balls = claim == Claim::kConformingDelaunay};
-  return asked_of_rows<fast::SimplexFacts>(
-      mesh, false, [&](const auto& view) -> OrReason<fast::SimplexFacts> {
-        auto facts = fast::simplex_facts(view, wanted, threads_of(options));
-        if (!facts) return because(description(facts.error()));
-        if (options.oriented && !facts->oriented) return because("simplices oriented by turns");
-        return std::move(*facts);
-      });
-}
-
 // The verdict on a mesh that holds, if that is seen at once.
 std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
                                       const fast::SimplexFacts& facts, const Options& options) {
@@ -150,7 +94,7 @@ std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domai
 
 Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
                          const Options& options) {
-  const auto facts = known_facts(claim, mesh, domain.complex.kind, options);
+  const auto facts = facts_of_simplices(claim, mesh, domain.complex.kind, options);
   std::optional<Verdict> held =
       facts ? held_in_domain(claim, mesh, domain, *facts, options) : std::nullopt;
   Verdict verdict =
@@ -203,28 +147,14 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   return verdict;
 }
 
-Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options) {
+Verdict judge(Claim claim, Merging merging, const Domain* domain, const Options& options) {
+  Mesh& mesh = merging.mesh;
   if (claim != Claim::kComplex) {
     auto verdict = judge(claim, mesh, domain, options);
     if (verdict) return std::move(*verdict);
   }
   merge_equal_points(mesh);
   return judge(claim, mesh, domain, options).value();
-}
-
-std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
-  std::size_t size = mesh.simplices.columns();
-  for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
-    size = std::max(size, mesh.simplices[i].size());
-  }
-  return fault_of_demands(demands, size, mesh.dimension());
-}
-
-std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
-                                                     const Options& options) {
-  auto facts = known_facts(claim, mesh, kind, options);
-  if (!facts) return std::nullopt;
-  return std::move(*facts);
 }
 
 }  // namespace circumspect::check

@@ -1,14 +1,14 @@
 // The judge of meshes, for files, arrays, campaigns and harnesses.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <tl/expected.hpp>
 
-#include "oracle/judge/domain/judge_domain.hpp"
-#include "oracle/judge/fast/simplex_facts.hpp"
+#include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
@@ -26,22 +26,17 @@ struct EqualPoints {
 // Equal points are an error, unless the claim is found to hold, or to fail by facets that are not locally
 // Delaunay alone: then there are none. So nobody has to sort the points of a large mesh that holds.
 // Of the claim `complex` they break a rule, and count as one for the rest.
-// Requires: `domain` if and only if the claim is about one; then what judge_domain requires. No weights
-// for `delaunay` and for claims about a domain.
+// Requires: `domain` if and only if the claim is about one; it is valid (validity.hpp), and the mesh has no points or points of
+// its dimension. No weights for `delaunay` and for claims about a domain.
 tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,
                                          const Domain* domain = nullptr,
                                          const Options& options = {});
 
-// The same where equal points count as one: they are merged if there are any.
-Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain = nullptr,
-                     const Options& options = {});
-
-// Why what is demanded beside the claim `complex` makes no sense of the mesh, one line; empty if it does.
-std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
-
-// What the fast engine finds out of the simplices for a claim about a domain of this kind; nothing if it
-// leaves the mesh undecided, or if `options` ask for more.
-std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
-                                                     const Options& options);
+// A mesh whose equal points count as one: they are merged if there are any.
+struct Merging {
+  Mesh& mesh;
+};
+Verdict judge(Claim claim, Merging merging, const Domain* domain = nullptr,
+              const Options& options = {});
 
 }  // namespace circumspect::check

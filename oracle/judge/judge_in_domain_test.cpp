@@ -5,6 +5,7 @@
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/known_mesh.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
@@ -16,7 +17,7 @@ constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulat
 std::optional<fast::SimplexFacts> facts_of(Claim claim, const ExactMesh& mesh, const Domain& domain,
                                            Options options = {}) {
   options.threads = 2;
-  return facts_of_simplices(claim, in_rows(mesh), domain.complex.kind, options);
+  return KnownMesh(claim, in_rows(mesh), domain.complex.kind, options).facts;
 }
 
 Verdict judged(Claim claim, const ExactMesh& mesh, const Domain& domain, Options options = {}) {

@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "properties/arguments/run.hpp"
@@ -272,7 +273,7 @@ TEST_CASE("equal points are an error, or count as one, and then the fast engine 
     CHECK(verdict.error().repeated[0].kept == 2);
     CHECK(verdict.error().repeated[0].again == 4);
   }
-  const Verdict merged = judge_merged(Claim::kDelaunay, mesh);
+  const Verdict merged = judge(Claim::kDelaunay, Merging{mesh});
   CHECK(merged.holds());
   CHECK(merged.points == 4);
   CHECK(merged.course.fast);

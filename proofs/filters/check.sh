@@ -1,9 +1,10 @@
 #!/bin/sh
-# Proves the error bounds of the filters in oracle/judge/fast with Gappa, in a few seconds; fails if one is not
-# proved, if a constant is not that of the code, or if Gappa proves what it must not.
+# Proves the error bounds of the filters in oracle/judge/fast with Gappa, in a few seconds; fails if
+# one is not proved, if a constant is not that of the code, or if Gappa proves what it must not.
 #     proofs/filters/check.sh [--certificates|--bounds] [FOLDER-WITH-SCRIPTS [HEADER]]
-# With --certificates Coq checks Gappa's proofs (needs libcoq-gappa and libcoq-flocq). With --bounds Gappa is
-# asked for what it must not prove of orientations alone: of circles and spheres that takes as long as the proofs.
+# With --certificates Coq checks Gappa's proofs (needs libcoq-gappa and libcoq-flocq). With --bounds
+# Gappa is asked for what it must not prove of orientations alone: of circles and spheres that takes
+# as long as the proofs.
 set -eu
 mode=${1:-}
 case $mode in
@@ -24,13 +25,14 @@ fault() {
 
 command -v gappa >/dev/null || { echo "filters: gappa not found: apt-get install gappa" >&2; exit 2; }
 
-# Proved: exit status 0, and nothing said; for Gappa trusts a rewriting that it cannot verify, with a warning.
+# Proved: exit status 0, and nothing said; for Gappa trusts a rewriting that it cannot verify, with
+# a warning.
 proved() {
   gappa -Eno-auto-dichotomy "$1" >"$work/log" 2>&1 && [ ! -s "$work/log" ]
 }
 
-# Coq takes the certificate, and it rests on nothing but the axioms of the real numbers. The last lemma
-# that Gappa writes is the statement.
+# Coq takes the certificate, and it rests on nothing but the axioms of the real numbers. The last
+# lemma that Gappa writes is the statement.
 certified() {
   gappa -Eno-auto-dichotomy -Bcoq "$1" >"$work/certificate.v" 2>"$work/log" || return 1
   lemma=$(sed -n 's/^Lemma \(l[0-9]*\) .*/\1/p' "$work/certificate.v" | tail -n 1)

@@ -82,7 +82,8 @@ sed 's/^8 1 0/8 1 1/' own.node >moved.node
 users "rejected: another mesh, moved.node:3: *coordinate 2 of point 8" moved.node own.ele
 sed 's/^7/10/;s/^8/11/;s/^9/12/' own.node >index.node
 users "rejected: another mesh, index.node:2: found point 10, *" index.node own.ele
-# Rows are numbered in their order, and columns that nothing is about are numbers, as docs/formats.md says.
+# Rows are numbered in their order, and columns that nothing is about are numbers, as
+# docs/formats.md says.
 sed 's/^8/7/' own.node >twice.node
 users "malformed: twice.node:3: expected the index 8, one more than the line before, found 7" twice.node own.ele
 sed '2{h;d};3{p;x}' own.node >order.node
@@ -178,7 +179,8 @@ varied "malformed: varied-plane.poly:4: expected the index 3, one more than the 
 varied "malformed: varied-plane.poly:2: expected an integer, found 'red'" 's/^1 0 0 0/1 0 0 red/' plane.poly
 varied "malformed: varied-plane.poly:11: expected an integer, found 'red'" 's/^1 1 2/red 1 2/' plane.poly
 varied "malformed: varied-plane.poly:*: expected 4 or 5 columns, found 3" '$s/$/\n1\n1 2 2/' plane.poly
-# What MESH.face and MESH.edge list is read for certificates, too: each is a face of a simplex; the line names what was read.
+# What MESH.face and MESH.edge list is read for certificates, too: each is a face of a simplex; the
+# line names what was read.
 printf '2 1\n0 0 1 1\n1 2 3 0\n' >plane.edge
 domain "verified: steiner-triangulation, *: plane.node plane.ele plane.edge plane.poly" plane.node plane.ele plane.poly
 printf '2 1\n0 0 1 1\n1 0 3 0\n' >plane.edge

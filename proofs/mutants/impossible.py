@@ -130,8 +130,8 @@ SOUND = {"scale": "1 2", "segments": SEGMENTS, "holes": [], "candidates": FATES,
          "clauses": [beside(*INNER), "covers vertex 7", overlap(), ORIGIN],
          "steps": ["-%d 0 1" % (INNER[0] + 1), "0 4"], "mesh": [mesh()]}
 
-# A triangle in space, which dangles: it has a triangulation, though no tetrahedron covers any of it.  The mesh is one of a
-# tetrahedron with this facet.
+# A triangle in space, which dangles: it has a triangulation, though no tetrahedron covers any of
+# it. The mesh is one of a tetrahedron with this facet.
 TETRAHEDRON = [(0, 0, 0), (0, 3, 0), (3, 0, 0), (9, 9, 9)]
 AROUND = space_domain("steiner-triangulation", "enclosed", TETRAHEDRON, [(0, 1, 2, 3)], 1,
                       list(itertools.combinations(range(4), 3)), list(itertools.combinations(range(4), 2)))

@@ -66,7 +66,8 @@ std::optional<std::vector<Cell>> cells_of(const PointArray& points, const Simple
   return cells;
 }
 
-// An infinite cell goes behind each facet that one cell alone has. Is every facet shared by two then?
+// An infinite cell goes behind each facet that one cell alone has. Is every facet shared by two
+// then?
 bool close(std::vector<Cell>& cells) {
   for (const auto& [facet, uses] : uses_of(cells)) {
     if (uses.size() == 1) cells.push_back({kInfinite, facet[0], facet[1], facet[2]});
@@ -90,8 +91,8 @@ void orient_positively(const PointArray& points, Cell& cell) {
   }
 }
 
-// Gives neighbours the same orientation, that of the first cell of each component; false, if they have
-// none in common.
+// Gives neighbours the same orientation, that of the first cell of each component; false, if they
+// have none in common.
 bool orient(const PointArray& points, std::vector<Cell>& cells) {
   const Uses uses = uses_of(cells);
   std::vector<bool> done(cells.size());

@@ -1,5 +1,5 @@
-// Random piecewise linear complexes for properties. A failing one shrinks by dropping cells and vertices,
-// and by moving vertices towards small integers.
+// Random piecewise linear complexes for properties. A failing one shrinks by dropping cells and
+// vertices, and by moving vertices towards small integers.
 #pragma once
 
 #include <cstddef>

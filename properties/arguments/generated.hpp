@@ -1,5 +1,5 @@
-// The inputs of inputs/ as arguments of RapidCheck's properties: RapidCheck says with which seed they are
-// drawn, and a failing one is made small as campaigns do it.
+// The inputs of inputs/ as arguments of RapidCheck's properties: RapidCheck says with which seed
+// they are drawn, and a failing one is made small as campaigns do it.
 #pragma once
 
 #include <utility>
@@ -13,8 +13,8 @@
 
 namespace circumspect::generators {
 
-// What `minimised` asks about if the case fails, as long as the answer is no: all cases that are simpler by one
-// step. RapidCheck goes on with the first that fails.
+// What `minimised` asks about if the case fails, as long as the answer is no: all cases that are
+// simpler by one step. RapidCheck goes on with the first that fails.
 template <class Case>
 std::vector<Case> simpler(const Case& whole) {
   std::vector<Case> asked;

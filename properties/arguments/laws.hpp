@@ -41,8 +41,8 @@ Scene scene(const PointsCase& set, Scaling scaling);
 PointsCase scaled_and_moved(const PointsCase& set, const Rational& factor,
                             const Point& translation);
 
-// Does law(set, scaling) assert nothing false on the random cases? RapidCheck prints what fails. A law names the
-// hundred inputs that are usual with RapidCheck.
+// Does law(set, scaling) assert nothing false on the random cases? RapidCheck prints what fails. A
+// law names the hundred inputs that are usual with RapidCheck.
 template <typename Law>
 bool holds(const std::string& what, const rc::Gen<PointsCase>& cases, const Law& law) {
   return properties::holds(what, 100, [&] {

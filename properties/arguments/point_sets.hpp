@@ -1,5 +1,5 @@
-// Random point sets for properties. A failing set shrinks by dropping points and by moving the others
-// towards small integers.
+// Random point sets for properties. A failing set shrinks by dropping points and by moving the
+// others towards small integers.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ using PointSets = rc::Gen<std::vector<Point>>;
 // Sets of one of the families of inputs/, of 0 to `max_points` points.
 PointSets sets_of(Sets family, std::size_t dimension, std::size_t max_points);
 
-// Of one of the families in (mostly) general position; of one of the degenerate families, mostly grids,
-// spheres, planes and lines; of any of them.
+// Of one of the families in (mostly) general position; of one of the degenerate families, mostly
+// grids, spheres, planes and lines; of any of them.
 std::vector<Point> generic_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> degenerate_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> any_points(Dice& dice, std::size_t dimension, Count count);
@@ -26,7 +26,8 @@ PointSets degenerate_point_set(std::size_t dimension, std::size_t max_points);
 PointSets any_point_set(std::size_t dimension, std::size_t max_points);
 
 // Sets of points of a flat in a higher dimension (Book: Section 4.1, "if the affine hull of S is
-// k-dimensional"), carried there by a random similarity. Requires: the sets have no higher dimension.
+// k-dimensional"), carried there by a random similarity. Requires: the sets have no higher
+// dimension.
 PointSets embedded(const PointSets& sets, std::size_t dimension);
 
 // The same, to be printed well.

@@ -1,4 +1,5 @@
-// Random triangulations, Delaunay or not, reached by random flips. Book: Section 4.4, the flip graph.
+// Random triangulations, Delaunay or not, reached by random flips. Book: Section 4.4, the flip
+// graph.
 #pragma once
 
 #include <iosfwd>
@@ -36,8 +37,8 @@ Triangulation after_flips(const PointSet& points, const Triangulation& start,
 
 // Walks of 0 to `max_flips` random flips, beginning at the Delaunay triangulation of the points
 // without their weights. A failing case shrinks to fewer flips of fewer points. In the plane any
-// triangulation can come up. Takes sets of any dimension; where their hull has dimension 0 or 1 there
-// is only one triangulation.
+// triangulation can come up. Takes sets of any dimension; where their hull has dimension 0 or 1
+// there is only one triangulation.
 rc::Gen<TriangulationCase> flipped_triangulations(const rc::Gen<generators::PointsCase>& sets,
                                                   std::size_t max_flips);
 

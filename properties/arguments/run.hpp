@@ -9,8 +9,8 @@
 
 namespace circumspect::properties {
 
-// The sanitizers look for faults of memory, and take ten times as long: a twelfth of the inputs will do.
-// GCC says so by a macro, Clang by a feature.
+// The sanitizers look for faults of memory, and take ten times as long: a twelfth of the inputs
+// will do. GCC says so by a macro, Clang by a feature.
 #if defined(__SANITIZE_ADDRESS__)
 #define CIRCUMSPECT_SANITIZED
 #elif defined(__has_feature)
@@ -29,23 +29,24 @@ constexpr std::size_t points_a_side(std::size_t side) {
   return kOneInputIn > 1 ? side * 2 / 5 : side;
 }
 
-// Does the property hold on `successes` random inputs? RapidCheck prints what fails, shrunk. Seed and sizes come
-// from RC_PARAMS, as for every RapidCheck property. CIRCUMSPECT_ONE_INPUT_IN=4 in the environment tries a quarter
-// of them, as `make test` does. Compiled once, in test_main.cpp: the templates behind it take RapidCheck's users a
-// quarter of a second a property.
+// Does the property hold on `successes` random inputs? RapidCheck prints what fails, shrunk. Seed
+// and sizes come from RC_PARAMS, as for every RapidCheck property. CIRCUMSPECT_ONE_INPUT_IN=4 in
+// the environment tries a quarter of them, as `make test` does. Compiled once, in test_main.cpp:
+// the templates behind it take RapidCheck's users a quarter of a second a property.
 bool holds(const std::string& description, int successes, const std::function<void()>& property);
-// The same on as many inputs as RapidCheck tries of itself (a hundred), whatever the environment says: for the laws of
-// single functions.
+// The same on as many inputs as RapidCheck tries of itself (a hundred), whatever the environment
+// says: for the laws of single functions.
 bool holds(const std::string& description, const std::function<void()>& property);
 bool holds(const std::function<void()>& property);
 
-// How many inputs there are for each that is tried: CIRCUMSPECT_ONE_INPUT_IN, and more under the sanitizers.
+// How many inputs there are for each that is tried: CIRCUMSPECT_ONE_INPUT_IN, and more under the
+// sanitizers.
 int one_input_in();
 
-// Has a kind of input been drawn, often enough for all its inputs, that a property must not do without? The fixed inputs
-// of `make test` have all of them. A soak, which says so in its environment (CIRCUMSPECT_SOAK), draws new ones
-// each round, where a rare kind may well be missing once: it does not ask. Nor do the sanitizers, which see
-// fewer.
+// Has a kind of input been drawn, often enough for all its inputs, that a property must not do
+// without? The fixed inputs of `make test` have all of them. A soak, which says so in its
+// environment (CIRCUMSPECT_SOAK), draws new ones each round, where a rare kind may well be missing
+// once: it does not ask. Nor do the sanitizers, which see fewer.
 bool occurs(std::size_t often, std::size_t at_least = 1);
 
 }  // namespace circumspect::properties

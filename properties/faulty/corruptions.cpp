@@ -113,7 +113,8 @@ void add_flat_simplex(const PointSet& points, Simplices& simplices) {
 }
 
 // Behind a facet of the hull goes a second simplex, on the same side as the first, with an apex
-// outside the ball of the first: a test that looks from one side only finds the facet locally Delaunay.
+// outside the ball of the first: a test that looks from one side only finds the facet locally
+// Delaunay.
 void fold_at_the_hull(const PointSet& points, Simplices& simplices) {
   Simplices folded;
   const auto apex_for = [&](const FacetUse& use) {

@@ -234,8 +234,8 @@ std::vector<Simplex> ascending(const SimplexArray& rows) {
   return simplices;
 }
 
-// All points are inserted first, each by splitting the simplices that contain it or by joining it to
-// the hull facets that it sees. Then come the flips.
+// All points are inserted first, each by splitting the simplices that contain it or by joining it
+// to the hull facets that it sees. Then come the flips.
 SimplexArray inserted_in_bulk(const PointArray& points) {
   const PointSet set = exact_points(points);
   if (set.dimension() < 2) return right_answer(points);

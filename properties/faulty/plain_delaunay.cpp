@@ -140,7 +140,8 @@ std::vector<bool> PlainDelaunay::cavity(Vertex u) const {
   return deleted;
 }
 
-// Has the search for this point been there before? Says so of others too, once the stamps wrap round.
+// Has the search for this point been there before? Says so of others too, once the stamps wrap
+// round.
 bool PlainDelaunay::is_seen_again(std::size_t simplex) {
   if (!mistakes_.stamps_in_a_byte) return false;
   return std::exchange(stamps_[simplex], stamp_) == stamp_;

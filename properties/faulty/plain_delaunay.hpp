@@ -8,8 +8,8 @@
 
 namespace circumspect::faulty {
 
-// Whether a point on the circumsphere of a simplex deletes it. Ghosts always say no. (Were they to say
-// yes too, that would be right again: all ties must be broken alike.)
+// Whether a point on the circumsphere of a simplex deletes it. Ghosts always say no. (Were they to
+// say yes too, that would be right again: all ties must be broken alike.)
 enum class Tie { kNo, kYes, kByVertexOrder };
 
 // Which simplices are taken for those in conflict with a new point.

@@ -14,8 +14,8 @@
 namespace circumspect::faulty {
 
 // ---- Plain predicates ----
-// Without a mistake, the plain predicates are the predicates: on numbers small enough that doubles are
-// exact.
+// Without a mistake, the plain predicates are the predicates: on numbers small enough that doubles
+// are exact.
 
 namespace {
 

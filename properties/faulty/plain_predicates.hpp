@@ -11,13 +11,14 @@
 namespace circumspect::faulty {
 
 // ---- Point arrays ----
-// From the doubles that a program takes to the exact points that judge it, and right answers to begin
-// with.
+// From the doubles that a program takes to the exact points that judge it, and right answers to
+// begin with.
 
 // The exact points, weights included. Requires: no duplicates.
 PointSet exact_points(const PointArray& points);
 
-// The canonical (weighted) Delaunay triangulation. Of points that coincide, the first stands for all.
+// The canonical (weighted) Delaunay triangulation. Of points that coincide, the first stands for
+// all.
 SimplexArray right_answer(const PointArray& points);
 
 // The same points without, or with only, some of them.

@@ -21,7 +21,8 @@ SimplexArray in_whole_blocks(const PointArray& points) {
   return renumbered(right_answer(selection(points, kept)), kept);
 }
 
-// Two simplices of different blocks of the array, with the flip that was never looked at still undone.
+// Two simplices of different blocks of the array, with the flip that was never looked at still
+// undone.
 SimplexArray unflipped_between_blocks(const PointArray& points) {
   const SimplexArray right = right_answer(points);
   const PointSet set = exact_points(points);

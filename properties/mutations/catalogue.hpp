@@ -43,8 +43,8 @@ void list_neighbors(ArrayMesh& mesh);
 // Requires: the neighbours are right; there is another side.
 std::size_t other_side(const ArrayMesh& mesh, std::size_t facet);
 
-// Exact signs: of the orientation of a row, and of whether a point is in its ball (kernel/predicates).
-// Requires: the indices name points; for the second, the row is not flat.
+// Exact signs: of the orientation of a row, and of whether a point is in its ball
+// (kernel/predicates). Requires: the indices name points; for the second, the row is not flat.
 int orientation_of(const ArrayMesh& mesh, std::span<const std::int64_t> row);
 int in_ball_of(const ArrayMesh& mesh, std::span<const std::int64_t> row, std::int64_t q);
 
@@ -61,8 +61,8 @@ class Dice {
 };
 
 // ---- Catalogue ----
-// The catalogue of mutations: each way to break a Delaunay mesh of any size, points, simplices, links and
-// weights, with what must be said of it.
+// The catalogue of mutations: each way to break a Delaunay mesh of any size, points, simplices,
+// links and weights, with what must be said of it.
 
 enum class Expected {
   kFails,  // as a Delaunay triangulation; as any triangulation too, unless the rules are about balls
@@ -77,9 +77,9 @@ struct Mutation {
   Expected expected;
   // If it fails, one of these is named first. Of weighted meshes: by the claim about those.
   std::set<Rule> rules;
-  // Breaks a Delaunay triangulation (with weights: a weighted one) whose neighbours are listed; false,
-  // and nothing is known of the mesh, if it offers no place for that. Afterwards the neighbours are gone,
-  // unless the mutation is one of them, or leaves them right.
+  // Breaks a Delaunay triangulation (with weights: a weighted one) whose neighbours are listed;
+  // false, and nothing is known of the mesh, if it offers no place for that. Afterwards the
+  // neighbours are gone, unless the mutation is one of them, or leaves them right.
   bool (*apply)(ArrayMesh&, Dice&);
   bool needs_weights = false;
 };
@@ -98,9 +98,10 @@ std::vector<Mutation> point_mutations();
 // All of them.
 std::vector<Mutation> catalogue();
 
-// A fan of triangles with rings around it that winds twice around its centre, and in space the double
-// cone over it: links, sides, and the boundary are those of a triangulation, yet all is covered twice.
-// `around` points lie on each ring. Requires: dimension 2 or 3; `around` is odd, at least 5.
+// A fan of triangles with rings around it that winds twice around its centre, and in space the
+// double cone over it: links, sides, and the boundary are those of a triangulation, yet all is
+// covered twice. `around` points lie on each ring. Requires: dimension 2 or 3; `around` is odd, at
+// least 5.
 ArrayMesh doubly_wound(std::size_t dimension, std::size_t around, std::size_t rings);
 
 }  // namespace circumspect::properties

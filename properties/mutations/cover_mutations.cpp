@@ -70,8 +70,9 @@ std::vector<std::size_t> simplices_around(const ArrayMesh& mesh, std::int64_t x,
 }
 
 // Two copies that hang together along the vertices around an edge {x, y} (in the plane: of the two
-// triangles at it): the second one has points of its own for all other vertices, and in the simplices
-// around the edge the copies exchange x. So who turns once around those vertices comes to the other copy.
+// triangles at it): the second one has points of its own for all other vertices, and in the
+// simplices around the edge the copies exchange x. So who turns once around those vertices comes to
+// the other copy.
 bool branch(ArrayMesh& mesh, std::int64_t x, std::int64_t y, double factor) {
   const std::vector<std::size_t> around = simplices_around(mesh, x, y);
   if (around.size() < 2 || (mesh.dimension == 3 && around.size() < 5)) return false;

@@ -32,8 +32,8 @@ void add(ArrayMesh& mesh, const Row& row) {
   mesh.neighbors.clear();
 }
 
-// Two simplices that share a facet, and the simplices of which a flip would make one each: the join of
-// the edge between their apexes with a ridge of the facet.
+// Two simplices that share a facet, and the simplices of which a flip would make one each: the join
+// of the edge between their apexes with a ridge of the facet.
 struct Pair {
   std::size_t first, second;
   std::vector<Row> created;
@@ -163,8 +163,8 @@ bool flip_edge_of_the_hull(ArrayMesh& mesh, Dice& dice) {
   return false;
 }
 
-// The vertex off the ridge of the other boundary facet at a ridge: the ridge is the simplex without the
-// vertex opposite the facet and the one at place `off`.
+// The vertex off the ridge of the other boundary facet at a ridge: the ridge is the simplex without
+// the vertex opposite the facet and the one at place `off`.
 std::int64_t far_vertex(const ArrayMesh& mesh, std::size_t facet, std::size_t off) {
   std::size_t s = facet / mesh.width(), apex = facet % mesh.width();
   while (mesh.neighbors[s * mesh.width() + off] >= 0) {

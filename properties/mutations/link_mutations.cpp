@@ -127,8 +127,8 @@ bool link_boundary_facet(ArrayMesh& mesh, Dice& dice) {
   return facet.has_value();
 }
 
-// What was linked is a boundary facet at both ends, and two boundary facets are linked: as many links
-// as before, each of them returned.
+// What was linked is a boundary facet at both ends, and two boundary facets are linked: as many
+// links as before, each of them returned.
 bool open_and_close(ArrayMesh& mesh, Dice& dice) {
   const auto a = any_facet_of_one(mesh, dice), b = any_facet_of_one(mesh, dice);
   if (!a || !b || *a == *b || !cut_both_ends(mesh, dice)) return false;

@@ -118,9 +118,9 @@ bool flatten(ArrayMesh& mesh, Dice& dice) {
   return true;
 }
 
-// Moves the apex of a simplex through a facet towards the middle of the simplex across, until `arrived`
-// just holds; `stop_before` leaves it at the last place where that does not. Of some facets the one with
-// the shortest way.
+// Moves the apex of a simplex through a facet towards the middle of the simplex across, until
+// `arrived` just holds; `stop_before` leaves it at the last place where that does not. Of some
+// facets the one with the shortest way.
 template <typename Arrived>
 bool move_until(ArrayMesh& mesh, Dice& dice, bool stop_before, const Arrived& arrived) {
   std::optional<std::pair<double, std::vector<double>>> best;

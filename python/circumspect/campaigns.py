@@ -109,7 +109,8 @@ class Subject:
         try:
             if case.domain is not None:
                 return "mesh", mesh_on(case.domain, made)
-            # A mesh object is judged with the points that were given, not with those that it may have changed.
+            # A mesh object is judged with the points that were given, not with those that it may
+            # have changed.
             simplices = parts_of(made)[1] if not hasattr(made, "__array__") and hasattr(made, "__dict__") else made
             return "mesh", mesh_of(case.points, simplices, None, case.weights)
         except Exception as error:  # rubbish may be of any kind
@@ -271,8 +272,8 @@ def is_wanted(points: Any, flat: bool) -> bool:
     dimension = points.shape[1]
     if len(points) <= dimension:
         return False
-    # Doubles usually prove quickly that the points span space: the least singular value is not 0 if it is a million
-    # times what rounding can make of 0. Otherwise the exact answer is asked for.
+    # Doubles usually prove quickly that the points span space: the least singular value is not 0 if
+    # it is a million times what rounding can make of 0. Otherwise the exact answer is asked for.
     edges = points[1:] - points[0]
     if np.isfinite(edges).all() and np.linalg.matrix_rank(edges) == dimension:
         scale = np.abs(edges).max()
@@ -295,7 +296,8 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
 
     if isinstance(points, Domain):
         given = domain_case(points.lists())
-        # An input that is not a piecewise linear complex is refused here, before the function is called.
+        # An input that is not a piecewise linear complex is refused here, before the function is
+        # called.
         _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, False,
                     False, None, "", 0, True)
     else:

@@ -59,7 +59,8 @@ class Verdict:
         self.notes: List[str]  # what was judged differently from what was passed in
         self.holds, unique, canonical, self.text, self.json, rules, self.notes, self._page = parts
         self.rules: Dict[str, int] = rules  # the broken ones, and how often each is
-        # For a Delaunay claim that holds: is it the only triangulation, is it the canonical one? Else None.
+        # For a Delaunay claim that holds: is it the only triangulation, is it the canonical one?
+        # Else None.
         self.unique: Optional[bool] = None if unique < 0 else bool(unique)
         self.canonical: Optional[bool] = None if canonical < 0 else bool(canonical)
 
@@ -104,7 +105,8 @@ class Verdict:
         text = f'<pre style="border-left: 4px solid {colour}; padding-left: 1em">{html.escape(str(self))}</pre>'
         if self.holds or self._page is None:
             return text
-        # The page has scripts, which turn its pictures; in a sandbox they see nothing of the notebook.
+        # The page has scripts, which turn its pictures; in a sandbox they see nothing of the
+        # notebook.
         return (f'{text}\n<iframe title="the witnesses as pictures" sandbox="allow-scripts" '
                 f'style="width: 100%; height: 48em; border: 0" srcdoc="{html.escape(self.to_html())}"></iframe>')
 

@@ -17,7 +17,8 @@
 namespace circumspect::delaunay {
 namespace {
 
-// ---- The Bowyer–Watson algorithm: known triangulations, the invariants of every step, how much one insertion may change, and what the statistics say ----
+// ---- The Bowyer–Watson algorithm: known triangulations, the invariants of every step, how much
+// one insertion may change, and what the statistics say ----
 
 // The points of a grid with the given numbers of points along the axes, in lexicographic order.
 std::vector<Point> grid(long nx, long ny, long nz) {

@@ -182,7 +182,8 @@ TEST_CASE("a 3-1 flip is blocked in the plane at a vertex of degree four") {
   CHECK(missing(points, four, {1, 4}) == Simplices{{0, 2, 4}});
 }
 
-// ---- Insertion of vertices by flips: where the vertex may lie, and what a stuck insertion says ----
+// ---- Insertion of vertices by flips: where the vertex may lie, and what a stuck insertion says
+// ----
 
 // Inserts the last point into the canonical triangulation of the others.
 struct LastInserted {

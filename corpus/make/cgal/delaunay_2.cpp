@@ -1,7 +1,8 @@
-// delaunay_2 [--inexact] IN.node OUT.ele: what CGAL's planar Delaunay triangulation makes of the points.
+// delaunay_2 [--inexact] IN.node OUT.ele: what CGAL's planar Delaunay triangulation makes of the
+// points.
 //
-// CGAL's triangulation packages are under the GPL. This program only makes corpus entries; nothing of
-// it is linked to, or part of, what ships. For --inexact see delaunay_3.cpp.
+// CGAL's triangulation packages are under the GPL. This program only makes corpus entries; nothing
+// of it is linked to, or part of, what ships. For --inexact see delaunay_3.cpp.
 #include <cstring>
 
 #include <CGAL/Delaunay_triangulation_2.h>

@@ -1,10 +1,11 @@
-// delaunay_3 [--inexact] IN.node OUT.ele: what CGAL's 3D Delaunay triangulation makes of the points.
+// delaunay_3 [--inexact] IN.node OUT.ele: what CGAL's 3D Delaunay triangulation makes of the
+// points.
 //
-// CGAL's triangulation packages are under the GPL. This program only makes corpus entries; nothing of
-// it is linked to, or part of, what ships.
+// CGAL's triangulation packages are under the GPL. This program only makes corpus entries; nothing
+// of it is linked to, or part of, what ships.
 //
-// --inexact takes the kernel that CGAL's manual warns of, with plain floating-point predicates: what
-// its users get who choose the wrong kernel.
+// --inexact takes the kernel that CGAL's manual warns of, with plain floating-point predicates:
+// what its users get who choose the wrong kernel.
 #include <cstring>
 
 #include <CGAL/Delaunay_triangulation_3.h>

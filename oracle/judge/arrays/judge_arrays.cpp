@@ -32,7 +32,7 @@ Verdict verdict_on(Claim claim, Mesh& mesh, const JudgeOptions& options) {
   const unsigned threads =
       options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   if (options.merge_equal_points) {
-    return check::judge_merged(claim, mesh, nullptr, {.threads = threads});
+    return check::judge(claim, check::Merging{mesh}, nullptr, {.threads = threads});
   }
   auto verdict = check::judge(claim, mesh, nullptr, {.threads = threads});
   if (verdict) return *std::move(verdict);

@@ -251,6 +251,14 @@ std::string fault_of_demands(const ComplexDemands& demands, std::size_t size,
   return "";
 }
 
+std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
+  std::size_t size = mesh.simplices.columns();
+  for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
+    size = std::max(size, mesh.simplices[i].size());
+  }
+  return fault_of_demands(demands, size, mesh.dimension());
+}
+
 Verdict judge_complex(const ListedComplex& listed, const ComplexDemands& demands,
                       bool by_definition, std::size_t max_violations) {
   const Findings found =

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "oracle/judge/complex/findings.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -12,6 +13,8 @@ namespace circumspect::check {
 // this dimension, one line; empty if they do.
 std::string fault_of_demands(const ComplexDemands& demands, std::size_t size,
                              std::size_t dimension);
+// The same of the simplices and the points of a mesh.
+std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
 
 // The answer is the same by definition and by lemma, but for the time that it takes.
 Verdict judge_complex(const definition::ListedComplex& listed, const ComplexDemands& demands,

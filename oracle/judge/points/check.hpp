@@ -4,26 +4,11 @@
 #include <vector>
 
 #include "oracle/judge/points/delaunay.hpp"
-#include "oracle/model/complex_demands.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
-
-// By lemma: linear in the mesh, by the conditions that docs/theory/points.md proves sufficient. By
-// definition (oracle/judge/definition): quadratic or slower, and obvious. Property tests compare
-// the two.
-enum class By { kLemma, kDefinition };
-
-struct Options {
-  By by = By::kLemma;
-  bool oriented = false;            // demand one consistent orientation
-  ComplexDemands complex = {};      // of the claim `complex`, instead of `oriented`
-  std::size_t max_violations = 20;  // witnesses kept; 0: all
-  // Threads of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine
-  // has. The answer is the same for any number.
-  unsigned threads = 0;
-};
 
 // Is the mesh a triangulation of its points? Book: Definition 2.1, Section 4.1: a simplicial
 // complex whose vertices are the points and whose union is their convex hull. Weights play no part.

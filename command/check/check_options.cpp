@@ -1,0 +1,142 @@
+#include "command/check/check_options.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "command/check/certificate_output.hpp"
+#include "command/check/judge_in_parts.hpp"
+#include "command/input/domain_input.hpp"
+#include "command/options/one_of.hpp"
+#include "command/options/option_rows.hpp"
+#include "command/options/threads.hpp"
+#include "command/options/usage_faults.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/overwriting.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+// What needs the whole mesh in memory.
+std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
+  const Asked memory{options.memory.has_value(), "--memory"};
+  std::vector<UsageFault> faults;
+  for (const Asked& asked : std::initializer_list<Asked>{
+           {options.domain.has_value(), "--domain"},
+           {options.check.by == check::By::kDefinition, "--by definition"},
+           {options.check.oriented, "--oriented"},
+           {options.input.neighbors, "--neighbors"},
+           {!options.input.kept_labels.empty(), "--keep-label"},
+           {options.input.allow_empty, "--allow-empty"},
+           {options.input.duplicates == Duplicates::kMerge, "--duplicates merge"},
+           {options.input.coordinates != NumberReading::kDouble, "--coordinates decimal"},
+           {options.certificate.has_value(), "--certificate"},
+           {!picture_files(options.picture).empty(), "pictures"}}) {
+    faults.push_back(contradiction(asked, memory, "this needs the whole mesh in memory"));
+  }
+  return faults;
+}
+
+// What would be written over a file that is read, or twice to one; empty if nothing.
+std::string writing_fault(const CheckOptions& options) {
+  std::vector<Written> written = picture_files(options.picture);
+  if (options.certificate) written.push_back({"the certificate", *options.certificate});
+  if (written.empty()) return "";
+  std::vector<std::string> read;
+  for (const std::string& mesh : options.meshes) {
+    const std::vector<std::string> files = files_of_mesh(mesh);
+    read.insert(read.end(), files.begin(), files.end());
+  }
+  if (options.domain) {
+    const std::vector<std::string> files = files_of_domain(*options.domain);
+    read.insert(read.end(), files.begin(), files.end());
+  }
+  if (options.input.points) read.push_back(*options.input.points);
+  return overwriting_fault(written, read);
+}
+
+}  // namespace
+
+std::string usage_fault(CheckOptions& options) {
+  const std::string demands = settle_complex_options(options.complex, options.claim, options.check);
+  const Asked complex{options.claim == Claim::kComplex, "the claim complex"};
+  const Asked certificate{options.certificate.has_value(), "--certificate"};
+  const Asked neighbors{options.input.neighbors, "--neighbors"};
+  const Asked memory{options.memory.has_value(), "--memory"};
+  const Asked within{options.within.has_value(), "--within"};
+  const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
+  const Asked domain{options.domain.has_value(), "--domain FILE"};
+  const bool about_domain = options.claim && is_about_a_domain(*options.claim);
+  const std::string_view claim = options.claim ? name(*options.claim) : "";
+  const std::string fault = first_fault({
+      demands,
+      contradiction(certificate, complex),
+      contradiction(neighbors, complex),
+      contradiction(memory, complex),
+      contradiction(within, certificate, "nothing is proved of it"),
+      certificate.is_given ? certificate_fault(options.said) : "",
+      {about_domain && !domain.is_given,
+       fmt::format("expected --domain FILE for the claim {}, found none", claim)},
+      {options.claim && !about_domain && domain.is_given,
+       fmt::format("expected no --domain for the claim {}, found one", claim)},
+      dependence(within, domain),
+      dependence({options.said.is_given(), "--fill, --hole, --region or --merge-coplanar"}, domain),
+      dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},
+                 {within.is_given, "--within DISTANCE"},
+                 "say how far vertices may be from one plane"),
+      domain_options_fault(options.said),
+      contradiction(neighbors, labels, "a .neigh file is about all cells"),
+      contradiction(certificate, labels, "a certificate is about all cells of a file"),
+      {certificate.is_given && options.meshes.size() != 1,
+       fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size())},
+      {options.certificate == "-",
+       "expected a file for --certificate, found -; circumspect certify writes to standard output"},
+      first_fault(faults_beside_memory(options)),
+      picture_fault(options.picture, options.meshes.size()),
+  });
+  return fault.empty() ? writing_fault(options) : fault;
+}
+
+void add_check_options(CLI::App& command, CheckOptions& options) {
+  add_options(
+      command,
+      {{"mesh", "", required(options.meshes),
+        "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, .obj, "
+        ".ply, .tet, .npz, .qhull-i, .npy (with --points); - for standard input, in any of these "
+        "formats"}});
+  add_claim_option(command, options.claim,
+                   "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
+                   "the mesh has more vertices than the domain). Weights are the first attribute "
+                   "of a .node file, as for tetgen -w, or the key weights of JSON");
+  add_options(command,
+              {{"--domain", "FILE", into(options.domain),
+                "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, "
+                ".msh, .vtk, .vtu, .vtp. The dangling triangles and edges of the mesh are read "
+                "from the .face and the .edge file beside the .ele"}});
+  add_domain_options(command, options.said, true);
+  add_within_option(command, options.within);
+  const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},
+                                                 {"definition", check::By::kDefinition}};
+  add_options(command, {{"--points", "FILE", into(options.input.points),
+                         "The file with the points of the mesh"},
+                        {"--by", "lemma|definition", into(options.check.by, one_of(ways)),
+                         "Judge by the lemmas (default) or, slowly, by the definitions"},
+                        {"--certificate", "FILE", into(options.certificate),
+                         "Also write a certificate or a refutation, as circumspect certify does"}});
+  add_picture_options(command, options.picture);
+  add_complex_options(command, options.complex);
+  add_options(command, {{"--neighbors", "", flag(options.input.neighbors),
+                         "Also judge the .neigh file beside each .ele"},
+                        {"--max-errors", "N", into(options.check.max_violations, whole_number()),
+                         "Report at most N witnesses (default: 20; 0: all)"}});
+  add_threads_option(command, options.threads);
+  add_memory_option(command, options.memory);
+  add_coordinates_option(command, options.input);
+  add_duplicates_option(command, options.input);
+  add_keep_label_option(command, options.input);
+  add_allow_empty_option(command, options.input);
+  add_limit_option(command, options.output);
+  add_output_options(command, options.output);
+}
+
+}  // namespace circumspect::cli
