@@ -72,6 +72,18 @@ class Action(unittest.TestCase):
         self.assertTrue(fails["file"].endswith("hunted-tetgen-covered-twice-3d.1.ele"))
         self.assertRegex(fault["message"], "^expected a file with the simplices of ")
 
+    def test_causes_come_after_the_rules(self):
+        rows = (PEERS / "random-3d-500.1.ele").read_text().splitlines()
+        count, *rest = rows[0].split()
+        (self.folder / "x.ele").write_text("\n".join([" ".join([str(int(count) - 1), *rest]), *rows[2:]]) + "\n")
+        points = PEERS / "random-3d-500.1.node"
+        self.assertEqual(self.act(RUN="check", ARGUMENTS=f"x.ele --points '{points}'"), 1, self.said)
+        results = json.loads(self.report("report.sarif"))["runs"][0]["results"]
+        self.assertEqual((results[-1]["ruleId"], results[-1]["level"]), ("cause.missing-simplex", "note"))
+        self.assertIn("1 tetrahedron is missing: ", results[-1]["message"]["text"])
+        self.assertEqual({one["level"] for one in results[:-1]}, {"error"})
+        self.assertIn("cause: 1 tetrahedron is missing: ", self.said)
+
     def test_lines_of_a_file_at_fault(self):
         (self.folder / "x.node").write_text("3 2\n0 0 0\n1 red 0\n2 0 1\n")
         (self.folder / "x.ele").write_text("1 3\n0 0 1 2\n")

@@ -15,7 +15,7 @@ def place(result):
 
 
 def sentences(result):
-    """What is wrong, one line each: (rule, sentence). Empty if nothing is."""
+    """What is wrong, one line each: (rule, sentence), and after the rules what may be the cause. Empty if nothing is wrong."""
     if "error" in result:
         return [("input", result["error"])]
     if "undecided" in result:
@@ -26,8 +26,10 @@ def sentences(result):
         where = (f"; simplex {cells}" if cells else "") + "".join(f"; vertex {v}" for v in violation["vertices"])
         found.append((violation["rule"], violation["meaning"] + where))
     counted = {rule for rule, _ in found}
-    return found + [(rule["rule"], f"{rule['count']} times") for rule in result.get("rules", [])
-                    if rule["rule"] not in counted]
+    found += [(rule["rule"], f"{rule['count']} times") for rule in result.get("rules", [])
+              if rule["rule"] not in counted]
+    return found + [("cause." + cause["cause"], f"{cause['text']} (explains {cause['explains']} of {cause['of']})")
+                    for cause in result.get("causes", [])]
 
 
 def printable(text):
@@ -60,7 +62,7 @@ def sarif(results):
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json", "version": "2.1.0",
         "runs": [{
             "tool": {"driver": {"name": "circumspect", "rules": [{"id": rule} for rule in rules]}},
-            "results": [{"ruleId": rule, "level": "error", "message": {"text": text},
+            "results": [{"ruleId": rule, "level": "note" if rule.startswith("cause.") else "error", "message": {"text": text},
                          "locations": [{"physicalLocation": {"artifactLocation": {"uri": urllib.parse.quote(name)}}}]}
                         for name, rule, text in found]}]}
 

@@ -147,11 +147,10 @@ void refuse_empty(const Mesh& mesh, const char* what_to_do) {
       what_to_do));
 }
 
-void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* what_to_do) {
+void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* to_merge) {
   if (repeated.empty()) return;
   const Duplicate& first = repeated.front();
-  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size()) +
-               what_to_do);
+  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size(), to_merge));
 }
 
 std::vector<Point> exact_points(std::int64_t count, std::int64_t dimension, const double* doubles,

@@ -42,7 +42,7 @@ Mesh mesh_of(const circumspect_mesh& mesh, bool weighted);
 Mesh points_of(const circumspect_mesh* points);
 
 // Refuses a mesh without points and simplices: usually a program wrote nothing.
-void refuse_empty(const Mesh& mesh, const char* what_to_do = "");
+void refuse_empty(const Mesh& mesh, const char* to_merge = "");
 // Refuses a mesh that has equal points, which are `repeated`.
 void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* what_to_do = "");
 

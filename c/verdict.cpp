@@ -16,6 +16,7 @@
 #include "c/guard.hpp"
 #include "c/input.hpp"
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/cause/causes.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
@@ -162,7 +163,7 @@ void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged
                          std::vector<std::string>& notes) {
   if (repeated.empty()) return;
   if (!are_merged) {
-    refuse_equal_points(repeated, "; to take equal points for one, set merge_equal_points");
+    refuse_equal_points(repeated, "set merge_equal_points");
   }
   merge_equal_points(mesh);
   notes.push_back(report::note_of_merged_points(repeated));
@@ -186,6 +187,17 @@ Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_
   if (verdict) return std::move(*verdict);
   settle_equal_points(verdict.error().repeated, are_merged, mesh, notes);
   return check::judge(claim, mesh, domain, options).value();
+}
+
+std::vector<Cause> causes_of(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
+                             check::Options options) {
+  options.max_violations = 1;
+  const auto again = [&](const Mesh& mended) -> std::optional<Verdict> {
+    auto judged = check::judge(verdict.claim(), mended, domain, options);
+    if (!judged) return std::nullopt;
+    return std::move(*judged);
+  };
+  return check::causes(verdict, mesh, again).found;
 }
 
 int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
@@ -232,7 +244,8 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     }
     const Domain* const filled = about ? &*about : nullptr;
     auto made = std::make_unique<circumspect_verdict>();
-    const Verdict found = c::judged(known, judged, filled, asked, own, made->notes);
+    Verdict found = c::judged(known, judged, filled, asked, own, made->notes);
+    if (asked.within == nullptr) found.causes = c::causes_of(found, judged, filled, own);
     const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
     made->holds = found.holds();
     made->unique = c::said(found.unique);

@@ -43,7 +43,9 @@ inside() {
     "$root" "$folder/ccache" "cd /root/circumspect; $1" "${JOBS:-$(nproc)}"
 }
 
+# Of a root that is kept, the build stays, and no source that has gone since.
 mkdir -p "$root/root/circumspect"
+find "$root/root/circumspect" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
 tar -C "$here" --exclude=./build --exclude=./.git -c . | tar -C "$root/root/circumspect" -x
 step "installing what README.md takes for granted, and what only this test needs" inside \
   'apt-get -q update && apt-get install -q -y --no-install-recommends make ccache python3'

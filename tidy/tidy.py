@@ -15,7 +15,7 @@ import sys
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages", "rule"])]
 COMMAND = ["reference", "reference/optimality", "reference/constrained", "reference/existence",
-           "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
+           "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge", "oracle/judge/cause",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "kernel/exact": [],
@@ -44,6 +44,7 @@ ARROWS = {
     "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes"],
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/distributed": ["oracle/judge", "oracle/report"],
+    "oracle/judge/cause": ["oracle/judge", "oracle/report"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
     "oracle/certificate": ["oracle/judge/domain"],
     "oracle/picture": ["oracle/report"],
@@ -51,7 +52,7 @@ ARROWS = {
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "inputs"],
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
-    "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
+    "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
           "inputs/triangulated"],
     "python": ["c", "fuzz/harness"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],

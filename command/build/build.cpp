@@ -111,13 +111,13 @@ bool write_files(const BuildOptions& options, const ExactMesh& mesh,
 
 void build_triangulation(const BuildOptions& options, Output& output) {
   output.begin("reading " + options.points);
-  std::vector<Duplicate> merged;
-  const auto loaded = load_points(options.points, options.input, &merged);
+  const auto loaded = load_points(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
   output.notes(loaded->notes);
+  if (loaded->merging) output.notes({*loaded->merging});
   const ExactMesh& mesh = loaded->mesh;
   output.begin("triangulating " + options.points,
                seconds_of_triangulating(mesh.points.size(), mesh.points.dimension()));
@@ -127,7 +127,7 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   const Triangulation triangulation = construct_triangulation(
       options, mesh.points, output.progress(), statistics, has_steps ? &steps : nullptr);
   output.end_watch();
-  if (!write_files(options, mesh, merged, triangulation, output)) return;
+  if (!write_files(options, mesh, loaded->merged, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
   }

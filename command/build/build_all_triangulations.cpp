@@ -86,6 +86,7 @@ ExitCode run(const AllTriangulationsOptions& options) {
     return output.finish();
   }
   output.notes(loaded->notes);
+  if (loaded->merging) output.notes({*loaded->merging});
   const PointSet& points = loaded->mesh.points;
   if (options.max_points != 0 && points.size() > options.max_points) {
     output.error(

@@ -76,7 +76,7 @@ std::string steiner_text(const DomainMesh& mesh, Vertex first_index) {
   for (Vertex i = 0; i < count; ++i) {
     text += fmt::format("steiner point {} {} at {}\n", first + i + first_index,
                         mesh.steiner_points[static_cast<std::size_t>(i)],
-                        point_text(mesh.points[first + i]));
+                        point_text(mesh.as_given(first + i)));
   }
   return text;
 }
@@ -170,7 +170,7 @@ void build(const ConstrainedOptions& options, Output& output) {
     output.error(ExitCode::kUsage, "domain", options.input_file, fault);
     return;
   }
-  const auto mesh =
+  auto mesh =
       construct({options.what, options.algorithm, options.search, options.most_steiner_points},
                 domain, options.input_file, output);
   output.end_watch();
@@ -178,6 +178,7 @@ void build(const ConstrainedOptions& options, Output& output) {
     say_no_mesh(options, mesh.error(), output);
     return;
   }
+  if (loaded->file.flat) mesh->height = loaded->file.flat->height;
   if (const std::string full = numbering_fault(*mesh, domain.first_index); !full.empty()) {
     output.error(ExitCode::kInputFault, "domain", options.input_file,
                  options.input_file + ": " + full);

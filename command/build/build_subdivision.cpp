@@ -78,6 +78,7 @@ ExitCode run(const SubdivisionOptions& options) {
     return output.finish();
   }
   output.notes(loaded->notes);
+  if (loaded->merging) output.notes({*loaded->merging});
   const PolyhedralComplex complex = subdivisions().at(options.algorithm)(loaded->mesh.points);
   if (output.wants_text()) output.text(text(*loaded, complex));
   if (output.wants_json()) output.json(json(*loaded, complex));

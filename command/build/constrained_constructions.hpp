@@ -21,6 +21,14 @@ struct DomainMesh {
   std::vector<std::string> steiner_points = {};  // where each is: "on segment 1 2"
   // Set if this is a CDT, but not the canonical one: why there is no canonical one.
   std::optional<std::string> not_canonical = {};
+  // The third coordinate of all points of the domain, if it was left out. It is written again.
+  std::optional<Rational> height = {};
+
+  Point as_given(Vertex v) const {
+    Point point = points[v];
+    if (height) point.push_back(*height);
+    return point;
+  }
 };
 
 // Why there is none. Not proved: another algorithm, a higher limit or more points may make one.

@@ -58,8 +58,10 @@ formats::SimplexFile dangling(const DomainMesh& mesh, std::size_t size, Vertex f
 
 formats::PointFile points_of(const DomainMesh& mesh, Vertex first_index) {
   formats::PointFile file;
-  file.dimension = mesh.points.ambient_dimension();
-  file.points = mesh.points.points();
+  file.dimension = mesh.points.ambient_dimension() + (mesh.height ? 1 : 0);
+  for (Vertex v = 0; v < static_cast<Vertex>(mesh.points.size()); ++v) {
+    file.points.push_back(mesh.as_given(v));
+  }
   file.first_index = first_index;
   return file;
 }

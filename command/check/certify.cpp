@@ -115,6 +115,7 @@ void certify(const CertifyOptions& options, Output& output) {
           ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
           : write_domain_certificate(options.certificate, options.mesh, mesh, *domain, *verdict,
                                      output);
+  if (const auto note = note_of_merging(*loaded)) output.notes({*note});
   if (written) report(options, *verdict, loaded->mesh, about, output);
 }
 

@@ -18,6 +18,7 @@
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/judge/cause/causes.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
@@ -76,6 +77,26 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
   if (output.wants_json()) output.json(std::move(result));
 }
 
+// What is said of a mended mesh in place of the one that was judged.
+std::optional<Verdict> judged_again(Claim claim, const Mesh& mesh, const Domain* domain,
+                                    check::Options options) {
+  options.max_violations = 1;
+  auto verdict = check::judge(claim, mesh, domain, options);
+  if (!verdict) return std::nullopt;
+  return std::move(*verdict);
+}
+
+std::optional<Verdict> judged_again(Claim claim, const Mesh& mesh, const HeldAgainst& against,
+                                    const CheckOptions& options) {
+  const Domain& domain = against.loaded.domain;
+  if (!options.within) return judged_again(claim, mesh, &domain, options.check);
+  const check::KnownMesh known(claim, mesh, domain.complex.kind, options.check);
+  auto verdict = judged_within(*options.within, claim, known, domain, options.check,
+                               against.bent ? &*against.bent : nullptr);
+  if (!verdict) return std::nullopt;
+  return std::move(*verdict);
+}
+
 void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
   output.begin("reading " + path);
   auto loaded = load_mesh(path, options.input, options.check.threads);
@@ -91,16 +112,21 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     }
   }
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
-  const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
-                                    options.input.duplicates, options.check);
+  auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
+                              options.input.duplicates, options.check);
   output.notes(loaded->notes);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
+  check::Causes causes = check::causes(*verdict, loaded->mesh, [&](const Mesh& mended) {
+    return judged_again(verdict->claim(), mended, nullptr, options.check);
+  });
+  verdict->causes = std::move(causes.found);
   Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
-  if (const auto note = note_of_complex(*verdict, loaded->mesh, path)) {
-    notes.of_verdict.push_back(*note);
+  for (const auto& note :
+       {note_of_complex(*verdict, path, causes.as_complex), note_of_merging(*loaded)}) {
+    if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
@@ -117,7 +143,11 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
     output.error(judged.error().code, "mesh", path, judged.error().message);
     return;
   }
-  const Notes notes{{}, notes_without_domain(judged->verdict, judged->named, path)};
+  Notes notes{{}, notes_without_domain(judged->verdict, judged->named, path)};
+  // What is not in memory is not judged as a complex.
+  if (const auto note = note_of_complex(judged->verdict, path, std::nullopt)) {
+    notes.of_verdict.push_back(*note);
+  }
   report_verdict(path, judged->verdict, judged->named, notes, options, nullptr, output);
 }
 
@@ -171,8 +201,12 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim =
       options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
-  const auto verdict = judged_against(path, claim, *loaded, against, options, output);
+  auto verdict = judged_against(path, claim, *loaded, against, options, output);
   if (!verdict) return;
+  check::Causes causes = check::causes(*verdict, mesh, [&](const Mesh& mended) {
+    return judged_again(claim, mended, against, options);
+  });
+  verdict->causes = std::move(causes.found);
   Notes notes{loaded->notes, {}};
   std::optional<std::string> weaker;
   if (!options.claim) weaker = note_of_weaker_claim(*verdict);
@@ -180,7 +214,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const bool has_merged = options.said.merged_slope.has_value();
   const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
-  for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
+  for (const auto& note :
+       {remedy(*verdict, judged, options.check), lone, weaker, note_of_merging(*loaded)}) {
     if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);

@@ -117,9 +117,10 @@ tl::expected<JudgedInParts, NotJudged> judge_in_parts(Claim claim, const std::st
       auto found = distributed::judge(ranks, claim, std::move(read->dealt), own);
       if (!ranks.is_first()) return;
       if (found.equal.count > 0) {
-        fault = equal_points_fault(
-            read->points_name, index_of_place(static_cast<Vertex>(found.equal.kept), first_index),
-            index_of_place(static_cast<Vertex>(found.equal.again), first_index), found.equal.count);
+        fault =
+            read->points_name + ": " +
+            fault_of_equal_points(found.equal, first_index,
+                                  "leave out --memory and add --duplicates merge to the command");
         return;
       }
       judged = JudgedInParts{std::move(*found.verdict), std::move(found.named)};

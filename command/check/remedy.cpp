@@ -55,9 +55,6 @@ std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& m
       path);
 }
 
-// As many are judged as a complex in about a second.
-constexpr std::size_t kMostTriedAsComplex = 50'000;
-
 }  // namespace
 
 tl::expected<Verdict, check::NotJudged> judged_within(
@@ -88,25 +85,20 @@ std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh
   std::vector<std::string> notes;
   for (auto& note :
        {note_of_surface(verdict, mesh, path), report::note_of_domain_not_given(verdict, mesh, path),
-        report::note_of_set_apart(verdict, path)}) {
+        report::note_of_set_apart(verdict, path), report::note_of_cut_counts(verdict, path)}) {
     if (note) notes.push_back(*note);
   }
   return notes;
 }
 
-std::optional<std::string> note_of_complex(const Verdict& verdict, const Mesh& mesh,
-                                           const std::string& path) {
-  const bool may_be_complex =
-      breaks(verdict, Rule::kHullNotConvex) || breaks(verdict, Rule::kHullNotClosed);
-  if (!may_be_complex || verdict.claim() == Claim::kWeightedDelaunay) return std::nullopt;
-  if (mesh.simplices.size() > kMostTriedAsComplex) {
-    return path + ": --claim complex tells whether the simplices fit together, whatever they fill";
-  }
-  const auto alone = check::judge(Claim::kComplex, mesh, nullptr, {.max_violations = 1});
-  if (!alone) return std::nullopt;
+std::optional<std::string> note_of_complex(const Verdict& verdict, const std::string& path,
+                                           const std::optional<Verdict>& alone) {
+  auto note = report::note_of_claim_complex(verdict, path);
+  if (!note || !alone) return note;
   if (alone->holds()) {
     return path + ": with --claim complex it holds: the simplices fit together, whatever they fill";
   }
+  if (alone->complex->set_apart > 0) return report::note_of_set_apart(*alone, path);
   const auto& [rule, tally] = *alone->tallies().begin();
   return fmt::format("{}: with --claim complex it fails, too: {} {}", path, identifier(rule),
                      tally.count);

@@ -29,9 +29,10 @@ std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh
                                               const std::string& path);
 
 // Whether the simplices fit together at least, of a mesh that does not fill the hull of its points:
-// with how many simplices that is tried is limited.
-std::optional<std::string> note_of_complex(const Verdict& verdict, const Mesh& mesh,
-                                           const std::string& path);
+// with how many simplices that is tried is limited. Likewise of a mesh with flat simplices, which
+// keep the others from being judged. `alone`: what the claim `complex` says of it, if it was asked.
+std::optional<std::string> note_of_complex(const Verdict& verdict, const std::string& path,
+                                           const std::optional<Verdict>& alone);
 
 // Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not
 // what is missing.

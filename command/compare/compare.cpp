@@ -100,6 +100,10 @@ std::string dimension_fault(const std::string& path, const Mesh& a, const Mesh& 
 std::vector<std::string> notes_of(const LoadedMesh& a, const LoadedMesh& b) {
   std::vector<std::string> notes = a.notes;
   notes.insert(notes.end(), b.notes.begin(), b.notes.end());
+  for (const LoadedMesh* const mesh : {&a, &b}) {
+    const auto note = note_of_merging(*mesh);  // both may have one file of points
+    if (note && std::find(notes.begin(), notes.end(), *note) == notes.end()) notes.push_back(*note);
+  }
   if (a.mesh.is_weighted() != b.mesh.is_weighted()) {
     const bool first = a.mesh.is_weighted();
     notes.push_back(fmt::format(

@@ -99,22 +99,25 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                     std::move(file->height)};
 }
 
-std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
-                               std::uint64_t count) {
-  return fmt::format("{}: {}; to take equal points for one, add --duplicates merge to the command",
-                     points_name, report::fault_of_equal_points(kept, again, count));
-}
-
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {
   const Vertex first_index = loaded.mesh.first_index;
-  const auto& [kept, again] = std::pair{repeated.front().kept, repeated.front().again};
-  return equal_points_fault(loaded.points_name, kept + first_index, again + first_index,
-                            repeated.size());
+  const Duplicate& first = repeated.front();
+  return fmt::format(
+      "{}: {}", loaded.points_name,
+      report::fault_of_equal_points(first.kept + first_index, first.again + first_index,
+                                    repeated.size(), "add --duplicates merge to the command"));
+}
+
+std::optional<std::string> note_of_merging(const LoadedMesh& loaded) {
+  if (loaded.merged.empty()) return std::nullopt;
+  return loaded.points_name + ": " +
+         report::note_of_merged_points(loaded.merged, loaded.mesh.first_index);
 }
 
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates) {
   if (duplicates == Duplicates::kMerge) {
-    if (!merge_equal_points(loaded.mesh).empty()) loaded.face_markers.clear();
+    loaded.merged = merge_equal_points(loaded.mesh);
+    if (!loaded.merged.empty()) loaded.face_markers.clear();
     return "";
   }
   const std::vector<Duplicate> repeated = equal_points(loaded.mesh);
@@ -122,8 +125,7 @@ std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates) {
 }
 
 tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
-                                                    const InputOptions& options,
-                                                    std::vector<Duplicate>* merged) {
+                                                    const InputOptions& options) {
   auto raw = formats::read_points(path, options.coordinates);
   if (!raw) return tl::unexpected(raw.error().to_string());
   auto weights = formats::weights_of(*raw, weights_asked_for(options));
@@ -132,10 +134,9 @@ tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
   loaded.mesh.coordinates = numbers_of(raw->points.points, raw->points.dimension);
   if (!weights->empty()) loaded.mesh.weights = numbers_of(*weights);
   loaded.mesh.first_index = raw->points.first_index;
-  if (merged != nullptr) *merged = equal_points(loaded.mesh);
   const std::string fault = settle_equal_points(loaded, options.duplicates);
   if (!fault.empty()) return tl::unexpected(fault);
-  LoadedPoints points{path, exact(loaded.mesh)};
+  LoadedPoints points{path, exact(loaded.mesh), {}, loaded.merged, note_of_merging(loaded)};
   const std::string end = formats::extension(path);
   // Scanners write colours and normals there.
   if (loaded.mesh.dimension() > 3 && (end == ".xyz" || end == ".csv")) {

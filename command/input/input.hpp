@@ -48,6 +48,7 @@ struct LoadedMesh {
   std::map<Simplex, Vertex> face_markers =
       {};                               // as MeshFile has them; none where points were merged
   std::optional<Rational> height = {};  // likewise
+  std::vector<Duplicate> merged = {};   // equal points, by places in the file, counted from 0
 };
 
 // Of the domain that a mesh is held against: its dimension and, if it is in the plane and its
@@ -67,26 +68,25 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads = 0,
                                                 const std::optional<DomainFrame>& frame = {});
 
-// What is wrong with points that are equal, where they are not to be merged: so many, of which the
-// first is `again` and repeats `kept`, as the file counts.
-std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
-                               std::uint64_t count);
+// What is wrong with points that are equal, where they are not to be merged.
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated);
+
+// Which points were merged; nothing if none were.
+std::optional<std::string> note_of_merging(const LoadedMesh& loaded);
 
 // Merges equal points (oracle/model/mesh.hpp says how), or returns what is wrong with them if
 // they are refused; empty if all is well.
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 
 // Points alone, as a mesh without simplices. Errors: as above, and equal points that are refused.
-// If `merged` is given, it receives the duplicates that were merged, by places in the file counted
-// from 0.
 struct LoadedPoints {
   std::string name;
   ExactMesh mesh;
-  std::vector<std::string> notes = {};  // what may have been meant otherwise
+  std::vector<std::string> notes = {};      // what may have been meant otherwise
+  std::vector<Duplicate> merged = {};       // as LoadedMesh has them
+  std::optional<std::string> merging = {};  // a note on them
 };
 tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
-                                                    const InputOptions& options,
-                                                    std::vector<Duplicate>* merged = nullptr);
+                                                    const InputOptions& options);
 
 }  // namespace circumspect::cli

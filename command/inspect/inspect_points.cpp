@@ -283,14 +283,13 @@ void inspect_points(const std::string& path, const InputOptions& input,
   // Duplicates are one of the facts asked for: they are merged and reported, not rejected.
   InputOptions merging = input;
   merging.duplicates = Duplicates::kMerge;
-  std::vector<Duplicate> repeated;
-  const auto loaded = load_points(path, merging, &repeated);
+  const auto loaded = load_points(path, merging);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "input", path, loaded.error());
     return;
   }
   output.notes(loaded->notes);
-  Inspected(*loaded, repeated, options, only, output, page).run();
+  Inspected(*loaded, loaded->merged, options, only, output, page).run();
 }
 
 }  // namespace circumspect::cli

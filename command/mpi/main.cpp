@@ -93,20 +93,6 @@ std::string document(circumspect::report::Json results) {
       {{"circumspect", 1}, {"results", circumspect::report::Json::array({std::move(results)})}});
 }
 
-// What is said of points that are equal.
-std::string equal_points_fault(const std::string& points_name, circumspect::Vertex first_index,
-                               const circumspect::distributed::EqualPoints& equal) {
-  const auto own = [&](std::uint64_t v) { return static_cast<std::int64_t>(v) + first_index; };
-  std::string more;
-  if (equal.count > 1) {
-    more = " and " + circumspect::report::counted(equal.count - 1, "more duplicate");
-  }
-  return fmt::format(
-      "{}: expected distinct points, found points {} and {} equal{}; circumspect check "
-      "--duplicates merge treats them as one",
-      points_name, own(equal.kept), own(equal.again), more);
-}
-
 // A row for each phase of each rank.
 void print_statistics(Ranks& ranks) {
   const std::vector<int> counts = ranks.of_each(static_cast<int>(ranks.phases().size()));
@@ -135,9 +121,12 @@ std::string said(const Judged& judged, const MpiOptions& options) {
   }
   const auto note =
       report::note_of_domain_not_given(*judged.verdict, judged.named, options.files.mesh);
+  std::string notes;
+  for (const auto& one : {note, report::note_of_claim_complex(*judged.verdict, options.files.mesh)}) {
+    if (one) notes += "note: " + circumspect::on_one_line(*one) + "\n";
+  }
   return circumspect::on_lines(
-      report::explanation(*judged.verdict, judged.named) +
-      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
+      report::explanation(*judged.verdict, judged.named) + notes +
       report::verdict_line(*judged.verdict, judged.named, options.files.mesh) + "\n");
 }
 
@@ -161,7 +150,9 @@ ExitCode judge(Ranks& ranks, MpiOptions& options) {
   if (judged.equal.count > 0) {
     code = ExitCode::kInputFault;
     if (ranks.is_first()) {
-      say_of_mesh(options, equal_points_fault(read->points_name, first_index, judged.equal));
+      say_of_mesh(options, read->points_name + ": " +
+                               fault_of_equal_points(judged.equal, first_index,
+                                                     "run circumspect check --duplicates merge"));
     }
   } else if (ranks.is_first()) {
     print(stdout, said(judged, options));

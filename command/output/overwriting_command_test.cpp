@@ -15,7 +15,7 @@ namespace circumspect::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
+using CommandWords = std::vector<std::string>;
 
 constexpr const char* kQuadPoints = "4 2\n0 0 0\n1 1 0\n2 0 1\n3 2 2\n";
 constexpr const char* kQuadTriangles = "2 3\n0 0 1 2\n1 1 3 2\n";
@@ -31,7 +31,7 @@ struct Files {
 
   // A command that writes to `target` ends with exit code 2 and a line that names what it reads,
   // and leaves what is there as it is.
-  void are_kept(const Arguments& arguments, const std::string& target) const {
+  void are_kept(const CommandWords& arguments, const std::string& target) const {
     const std::string before = contents(target);
     const Run refused = run(arguments);
     CAPTURE(arguments.front());
@@ -148,7 +148,7 @@ TEST_CASE("minimize: the small input replaces neither the large one nor the prog
   fs::permissions(program, fs::perms::owner_all);
   fs::create_hard_link(program, files.folder.path("hard.node"));
   const auto minimize = [&](const std::string& out) {
-    return Arguments{
+    return CommandWords{
         "minimize", files.points, "--dimension", "2",        "-o",    files.folder.path(out),
         "--",       program,      script,        "{points}", "{mesh}"};
   };
@@ -167,25 +167,25 @@ TEST_CASE("campaign: the report replaces neither the program, nor its corpus, no
   fs::create_directory(corpus);
   std::ofstream(corpus + "/a.node") << kQuadPoints;
   const auto campaign = [&](const std::string& report, const std::string& out = "out") {
-    return Arguments{"campaign",
-                     "--dimension",
-                     "2",
-                     "--cases",
-                     "1",
-                     "--families",
-                     "integers",
-                     "--corpus",
-                     corpus,
-                     "--limit-memory",
-                     "0",
-                     "--output",
-                     files.folder.path(out),
-                     "--junit",
-                     report,
-                     "--",
-                     program,
-                     "{points}",
-                     "{mesh}"};
+    return CommandWords{"campaign",
+                        "--dimension",
+                        "2",
+                        "--cases",
+                        "1",
+                        "--families",
+                        "integers",
+                        "--corpus",
+                        corpus,
+                        "--limit-memory",
+                        "0",
+                        "--output",
+                        files.folder.path(out),
+                        "--junit",
+                        report,
+                        "--",
+                        program,
+                        "{points}",
+                        "{mesh}"};
   };
   CHECK(run(campaign(files.folder.path("report.xml"))).exit_code == 0);
   files.are_kept(campaign(program), program);

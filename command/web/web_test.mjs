@@ -106,12 +106,29 @@ async function accessible(page) {
   assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' | ').slice(0, 300)}`), []);
 }
 
+// Neither a script nor a handler that gets into the page is run.
+async function runsNothingElse(browser) {
+  const refused = [];
+  const page = await opened(browser, refused);
+  await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'window.ran = "a script"';
+    document.body.append(script);
+    document.body.insertAdjacentHTML('beforeend', '<button id="stranger" onclick="window.ran = \'a handler\'">a stranger</button>');
+    document.getElementById('stranger').click();
+  });
+  assert.equal(await page.evaluate(() => window.ran), undefined);
+  assert.equal(refused.filter((line) => line.includes('Content Security Policy')).length, 2, refused.join('\n'));
+  await page.close();
+}
+
 async function inChromium() {
   const { chromium } = require('playwright-core');
   const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
   const shots = join(folder, 'screenshots');
   mkdirSync(shots, { recursive: true });
   try {
+    await runsNothingElse(browser);
     const faults = [];
     const page = await opened(browser, faults);
     // An example, its verdict, its picture, its JSON.

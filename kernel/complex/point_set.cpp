@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -28,8 +29,10 @@ bool are_different(const std::vector<Point>& points, const Configuration& config
 std::vector<Duplicate> duplicates(const std::vector<Point>& points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    end_if_interrupted();
+    return points[a] < points[b];
+  });
   std::vector<Duplicate> found;
   for (std::size_t i = 0; i < order.size();) {
     std::size_t j = i + 1;

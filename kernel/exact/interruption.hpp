@@ -43,7 +43,7 @@ class Interruptible {
 };
 
 // The inner steps of long work call this: chunks of the fast judge, determinants, systems of
-// equations.
+// equations, comparisons where many things are sorted, and rows where many are converted.
 inline void end_if_interrupted() {
   if (interruption_of_thread != nullptr) interruption_of_thread->end_if_asked();
 }

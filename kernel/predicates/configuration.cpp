@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect {
 namespace {
 
@@ -13,7 +15,10 @@ template <class IsBefore>
 std::vector<std::size_t> ranks_by(std::size_t points, const IsBefore& is_before) {
   std::vector<std::size_t> order(points);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), is_before);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    end_if_interrupted();
+    return is_before(a, b);
+  });
   std::vector<std::size_t> ranks(points);
   for (std::size_t place = 0; place < order.size(); ++place) ranks[order[place]] = place;
   return ranks;
@@ -71,6 +76,7 @@ void Configuration::choose_denominators(const std::vector<Point>& points,
   denominators_.assign(points.size(), Integer(1));
   Integer common = 1;
   for (std::size_t v = 0; v < points.size(); ++v) {
+    end_if_interrupted();
     Integer& own = denominators_[v];
     for (const Rational& x : points[v]) own = least_common_multiple(own, x.get_den());
     if (!weights.empty()) own = least_common_multiple(own, weights[v].get_den());
@@ -86,6 +92,7 @@ void Configuration::scale_to_integers(const std::vector<Point>& points,
   numerators_.reserve(points.size() * ambient_dimension_);
   heights_.reserve(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
+    end_if_interrupted();
     const Integer& denominator = denominators_[v];
     Integer height = 0;
     for (const Rational& x : points[v]) {

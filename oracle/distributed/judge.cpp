@@ -16,6 +16,7 @@
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::distributed {
 namespace {
@@ -241,6 +242,14 @@ class DistributedJudge {
 };
 
 }  // namespace
+
+std::string fault_of_equal_points(const EqualPoints& equal, Vertex first_index,
+                                  std::string_view to_merge) {
+  const auto own = [&](std::uint64_t v) {
+    return index_of_place(static_cast<Vertex>(v), first_index);
+  };
+  return report::fault_of_equal_points(own(equal.kept), own(equal.again), equal.count, to_merge);
+}
 
 Judged judge(Ranks& ranks, Claim claim, Dealt dealt, const check::Options& options) {
   assert(claim == Claim::kTriangulation || claim == Claim::kDelaunay ||

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "oracle/distributed/conditions.hpp"
 #include "oracle/distributed/local_mesh.hpp"
@@ -22,6 +24,10 @@ struct Judged {
   std::optional<Verdict> verdict = {};
   Mesh named = {};
 };
+
+// report::fault_of_equal_points, for a mesh whose first point has this index.
+std::string fault_of_equal_points(const EqualPoints& equal, Vertex first_index,
+                                  std::string_view to_merge);
 
 // Does the claim hold for the mesh that all ranks have together? The verdict is that of
 // check::judge, word for word, however many ranks there are and however the simplices are

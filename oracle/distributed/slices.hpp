@@ -38,9 +38,9 @@ struct ReadSlices {
 // readers, in the same words for .npy; a text file that is not of the plain form
 // (formats/plain_files.hpp); points of a dimension other than 2 and 3, or simplices that do not
 // have one vertex more; missing weights where they count; neither points nor simplices; more
-// simplices than a rank can number; a file that has another size, header, end or count at another
-// rank; in parts, a vertex that is not one of the part's points, a point that has other coordinates
-// in another part or is in no part, more parts than ranks.
+// simplices than a rank can number; a file that has other counts or bytes at another rank; in
+// parts, a vertex that is not one of the part's points, a point that has other coordinates in
+// another part or is in no part, more parts than ranks.
 tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& files);
 
 }  // namespace circumspect::distributed

@@ -8,9 +8,11 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
+#include "oracle/judge/failing_complex.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast_view.hpp"
 #include "oracle/judge/held_complex.hpp"
+#include "oracle/judge/held_surface.hpp"
 #include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
@@ -109,11 +111,14 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
 }
 
 template <std::size_t kDimension, typename Index>
-OrReason<Verdict> held_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
+OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
   if (options.by != By::kLemma) return because("judged by definition");
-  auto held = held_complex(view, options.complex, options.max_violations, threads_of(options));
-  if (!held) return because("something to be asked of exact numbers");
-  return std::move(*held);
+  auto verdict = held_complex(view, options.complex, options.max_violations, threads_of(options));
+  if (!verdict) {
+    verdict = failing_complex(view, options.complex, options.max_violations, threads_of(options));
+  }
+  if (!verdict) return because("something to be asked of exact numbers");
+  return std::move(*verdict);
 }
 
 }  // namespace
@@ -123,8 +128,12 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   assert((domain != nullptr) == is_about_a_domain(claim));
   if (claim == Claim::kComplex) {
     const auto held = asked_of_rows<Verdict>(
-        mesh, false, [&](const auto& view) { return held_fast(view, options); });
+        mesh, false, [&](const auto& view) { return complex_fast(view, options); });
     if (held) return *held;
+    if (options.by == By::kLemma) {
+      auto surface = held_surface(mesh, options.complex, options.max_violations);
+      if (surface) return std::move(*surface);
+    }
     return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
                          options.by == By::kDefinition, options.max_violations);
   }
@@ -153,7 +162,10 @@ Verdict judge(Claim claim, Merging merging, const Domain* domain, const Options&
     auto verdict = judge(claim, mesh, domain, options);
     if (verdict) return std::move(*verdict);
   }
-  merge_equal_points(mesh);
+  const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+  if (merging.merged != nullptr) {
+    merging.merged->insert(merging.merged->end(), repeated.begin(), repeated.end());
+  }
   return judge(claim, mesh, domain, options).value();
 }
 

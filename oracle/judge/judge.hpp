@@ -32,9 +32,10 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,
                                          const Domain* domain = nullptr,
                                          const Options& options = {});
 
-// A mesh whose equal points count as one: they are merged if there are any.
+// A mesh whose equal points count as one: they are merged if there are any, and added to `merged`.
 struct Merging {
   Mesh& mesh;
+  std::vector<Duplicate>* merged = nullptr;
 };
 Verdict judge(Claim claim, Merging merging, const Domain* domain = nullptr,
               const Options& options = {});

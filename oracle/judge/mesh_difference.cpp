@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "kernel/exact/interruption.hpp"
 #include "oracle/judge/points/cells.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -60,6 +61,7 @@ std::optional<std::vector<Place>> in_order(const PointsOfDoubles& points) {
     places.push_back({row.empty() ? 0 : row.front(), i});
   }
   std::sort(places.begin(), places.end(), [&points](const Place& a, const Place& b) {
+    end_if_interrupted();
     if (a.first != b.first) return a.first < b.first;
     return order(points, a.point, points, b.point) < 0;
   });

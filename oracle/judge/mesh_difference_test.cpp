@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect::check {
 namespace {
 
@@ -78,6 +80,34 @@ TEST_CASE("points that are equal, as doubles and as other numbers, are not compa
   }
   CHECK(difference(one, one)->empty());
   CHECK(difference(mesh_of({}), one)->points_only_in_b == std::vector<Vertex>{0});
+}
+
+TEST_CASE("large meshes that are compared ask often whether anybody waits for them") {
+  std::vector<Point> points;
+  for (int i = 0; i < 100; ++i) points.push_back({Rational(i), Rational(i * i)});
+  const ExactMesh many_points{PointSet(points), {}};
+  std::vector<Point> in_thirds = points;
+  in_thirds[0][0] = Rational(1) / 3;
+  const ExactMesh no_doubles{PointSet(in_thirds), {}};
+  points.resize(3);
+  const ExactMesh many_cells{PointSet(points), std::vector<Simplex>(100, Simplex{0, 1, 2})};
+  const ExactMesh few{PointSet(points), {{0, 1, 2}}};
+  const Interruption past{nullptr, std::chrono::steady_clock::now() - std::chrono::hours(1)};
+  const auto is_ended = [&past](const ExactMesh& a, const ExactMesh& b) {
+    const Mesh rows_of_a = in_rows(a), rows_of_b = in_rows(b);
+    const Interruptible interruptible(&past);
+    CHECK_THROWS_AS(difference(rows_of_a, rows_of_b), Interrupted);
+    CHECK_THROWS_AS(difference(a, b), Interrupted);
+  };
+  is_ended(many_points, many_points);
+  is_ended(no_doubles, no_doubles);
+  is_ended(many_cells, few);
+  is_ended(few, many_cells);
+  const Mesh doubles = in_rows(many_points), others = in_rows(no_doubles);
+  const Interruptible interruptible(&past);
+  CHECK_THROWS_AS(equal_points(doubles), Interrupted);
+  CHECK_THROWS_AS(equal_points(others), Interrupted);
+  CHECK_THROWS_AS(doubles.exact_points(), Interrupted);
 }
 
 }  // namespace

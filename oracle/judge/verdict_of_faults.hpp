@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/definition/complex.hpp"
 #include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
@@ -49,17 +50,24 @@ class Part {
   }
 
   ExactMesh mesh(bool weighted) const {
-    std::vector<Point> points;
     std::vector<Rational> weights;
     for (const Vertex v : vertices_) {
-      const auto place = static_cast<std::size_t>(v);
-      Point& point = points.emplace_back();
-      for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        point.push_back(exact_value(whole_.coordinates[place * kDimension + axis]));
-      }
-      if (weighted) weights.push_back(exact_value(whole_.weights[place]));
+      if (weighted) weights.push_back(exact_value(whole_.weights[static_cast<std::size_t>(v)]));
     }
-    ExactMesh part{PointSet(std::move(points), std::move(weights)), {}};
+    definition::ListedComplex all = listed();
+    return {PointSet(std::move(all.points), std::move(weights)), std::move(all.simplices)};
+  }
+
+  // The same, of points that may be equal.
+  definition::ListedComplex listed() const {
+    definition::ListedComplex part;
+    for (const Vertex v : vertices_) {
+      Point& point = part.points.emplace_back();
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        const auto place = static_cast<std::size_t>(v) * kDimension + axis;
+        point.push_back(exact_value(whole_.coordinates[place]));
+      }
+    }
     for (const std::size_t s : simplices_) {
       Simplex& simplex = part.simplices.emplace_back();
       for (const Index v : whole_.row(s)) simplex.push_back(place_of(v));

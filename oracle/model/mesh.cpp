@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect {
 
 namespace {
@@ -112,7 +114,10 @@ Rational Mesh::weight(Vertex v) const {
 std::vector<Point> Mesh::exact_points() const {
   std::vector<Point> all;
   all.reserve(points());
-  for (Vertex v = 0; names(v); ++v) all.push_back(point(v));
+  for (Vertex v = 0; names(v); ++v) {
+    end_if_interrupted();
+    all.push_back(point(v));
+  }
   return all;
 }
 
@@ -171,6 +176,7 @@ std::vector<std::size_t> in_order(const Rows<Value>& rows) {
   std::vector<std::size_t> order(rows.rows());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&rows](std::size_t a, std::size_t b) {
+    end_if_interrupted();
     const auto of_a = rows.row(a);
     const auto of_b = rows.row(b);
     for (std::size_t axis = 0; axis < of_a.size(); ++axis) {
@@ -190,6 +196,7 @@ std::optional<std::vector<Duplicate>> equal_rows_by_hash(const Rows<double>& row
   std::size_t steps = 8 * count;
   std::vector<Duplicate> found;
   for (std::size_t i = 0; i < count; ++i) {
+    end_if_interrupted();
     const auto row = rows.row(i);
     std::uint64_t hash = 0;
     for (const double number : row) {

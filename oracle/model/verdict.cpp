@@ -1,5 +1,8 @@
 #include "oracle/model/verdict.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace circumspect {
 namespace {
 
@@ -8,6 +11,18 @@ void rename(const std::vector<Vertex>& places, Simplex& vertices) {
   for (Vertex& v : vertices) {
     if (v >= 0 && v < static_cast<Vertex>(places.size())) v = places[static_cast<std::size_t>(v)];
   }
+}
+
+// Ascending, each once.
+Simplex named_by(const Witness& witness) {
+  Simplex all = witness.vertices;
+  for (const Simplex& simplex : witness.simplices) {
+    all.insert(all.end(), simplex.begin(), simplex.end());
+  }
+  if (witness.face) all.insert(all.end(), witness.face->begin(), witness.face->end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
 }
 
 }  // namespace
@@ -21,7 +36,7 @@ Verdict::Verdict(Claim claim, const ExactMesh& mesh, std::size_t max_violations)
 
 void Verdict::add(Rule rule, const Witness& witness, const std::optional<Rational>& margin) {
   if (keeps_more()) violations_.push_back({rule, witness});
-  count(rule, margin);
+  count(rule, margin, named_by(witness));
 }
 
 void Verdict::name_in_whole(const std::vector<Vertex>& vertex_of,
@@ -36,10 +51,19 @@ void Verdict::name_in_whole(const std::vector<Vertex>& vertex_of,
       witness.nearest->vertex = vertex_of[static_cast<std::size_t>(witness.nearest->vertex)];
     }
   }
+  for (auto& [rule, tally] : tallies_) rename(vertex_of, tally.in_all);
 }
 
-void Verdict::count(Rule rule, const std::optional<Rational>& margin) {
+void Verdict::count(Rule rule, const std::optional<Rational>& margin, const Simplex& named) {
   Tally& tally = tallies_[rule];
+  if (tally.count == 0) {
+    tally.in_all = named;
+  } else if (!tally.in_all.empty()) {
+    Simplex both;
+    std::set_intersection(tally.in_all.begin(), tally.in_all.end(), named.begin(), named.end(),
+                          std::back_inserter(both));
+    tally.in_all = std::move(both);
+  }
   ++tally.count;
   if (!margin) return;
   if (!tally.worst_margin || *tally.worst_margin < *margin) tally.worst_margin = margin;

@@ -64,6 +64,19 @@ struct Violation {
 struct Tally {
   std::size_t count = 0;
   std::optional<Rational> worst_margin = {};
+  // The vertices that every one of them names, ascending; none if one came without a witness.
+  Simplex in_all = {};
+};
+
+// What may be all that is wrong, found after the judgement (oracle/judge/cause) and checked: one
+// clause for people, by the user's own indices. It explains some of the violations: all that the
+// verdict counts, or, if `of_listed`, those whose witnesses it keeps.
+struct Cause {
+  std::string name;  // "missing-simplex": it never changes its meaning
+  std::string words;
+  std::size_t explains = 0;
+  std::size_t of = 0;
+  bool of_listed = false;
 };
 
 // The vertices of a mesh that are not vertices of the domain, by the linear cell in whose relative
@@ -109,9 +122,14 @@ struct ComplexFacts {
   int dimension = -1;         // of its simplices
   std::size_t set_apart = 0;  // flat, repeated, doubled and such
   bool is_complex = false;    // do the others form one?
+  bool are_counts_cut = false;  // do so many overlap that no more were counted?
   std::size_t parts = 0;      // that facets connect
   std::size_t boundary_facets = 0;
   std::size_t hanging_vertices = 0;
+  // How many quadrilaterals two simplices have on the one side and two on the other, which are cut
+  // along different diagonals; and whether vertices hang only in simplices of other parts.
+  std::size_t crossed_quadrilaterals = 0;
+  bool only_parts_hang = false;
   // How many have each sign of det[p_1 − p_0; …; p_d − p_0]; none if they have no full dimension.
   std::size_t positive = 0, negative = 0;
 };
@@ -128,8 +146,10 @@ class Verdict {
   bool keeps_more() const { return max_violations_ == 0 || violations_.size() < max_violations_; }
   // How many violations are kept; 0: all.
   std::size_t max_violations() const { return max_violations_; }
-  // Counts a violation without a witness.
-  void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
+  // Counts a violation whose witness is not kept; `named`: the vertices that it would name, if they
+  // are known.
+  void count(Rule rule, const std::optional<Rational>& margin = std::nullopt,
+             const Simplex& named = {});
   // After judging a part of a mesh: renames the vertices and simplices of the witnesses as in the
   // whole mesh. The arguments give, for each vertex and simplex of the part, its place in the
   // whole, ascending. Requires: everything that is named is in the part, except indices that name
@@ -163,6 +183,9 @@ class Verdict {
   std::optional<Rational> beyond = {};
 
   std::optional<ComplexFacts> complex = {};
+
+  // The most that one of them explains comes first.
+  std::vector<Cause> causes = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;

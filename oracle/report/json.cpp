@@ -65,7 +65,7 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
 }
 
 Json complex_facts(const ComplexFacts& facts) {
-  return {{"dimension", facts.dimension},
+  Json object = {{"dimension", facts.dimension},
           {"set_apart", facts.set_apart},
           {"others_form_a_complex", facts.is_complex},
           {"parts", facts.parts},
@@ -73,6 +73,20 @@ Json complex_facts(const ComplexFacts& facts) {
           {"hanging_vertices", facts.hanging_vertices},
           {"positive", facts.positive},
           {"negative", facts.negative}};
+  if (facts.are_counts_cut) object["counts_are_cut"] = true;
+  return object;
+}
+
+Json causes(const std::vector<Cause>& causes) {
+  Json array = Json::array();
+  for (const Cause& cause : causes) {
+    array.push_back({{"cause", cause.name},
+                     {"text", cause.words},
+                     {"explains", cause.explains},
+                     {"of", cause.of},
+                     {"of_listed", cause.of_listed}});
+  }
+  return array;
 }
 
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
@@ -176,6 +190,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
     tallies.push_back(entry);
   }
   object["rules"] = tallies;
+  if (!verdict.causes.empty()) object["causes"] = causes(verdict.causes);
   Json violations = Json::array();
   for (const Violation& broken : verdict.violations())
     violations.push_back(violation(broken, mesh, domain));

@@ -180,9 +180,9 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain) {
   std::string text;
   for (const Violation& violation : verdict.violations()) describe(violation, mesh, domain, text);
-  std::size_t counted = 0;
-  for (const auto& [rule, tally] : verdict.tallies()) counted += tally.count;
-  const std::size_t dropped = counted - verdict.violations().size();
+  std::size_t all = 0;
+  for (const auto& [rule, tally] : verdict.tallies()) all += tally.count;
+  const std::size_t dropped = all - verdict.violations().size();
   if (dropped > 0) {
     text += fmt::format("… and {} more (--max-errors 0 shows all)\n", dropped);
   }
@@ -191,7 +191,19 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
     text += fmt::format("{}: worst relative margin {}\n", identifier(rule),
                         to_decimal(*tally.worst_margin));
   }
+  for (const Cause& cause : verdict.causes) text += cause_line(cause) + "\n";
   return text;
+}
+
+std::string cause_line(const Cause& cause) {
+  const std::string all = cause.of_listed
+                              ? fmt::format("{} above", counted(cause.of, "violation"))
+                              : counted(cause.of, "violation");
+  const std::string explained =
+      cause.explains < cause.of ? fmt::format("{} of {}", cause.explains, all)
+      : cause.of == 1           ? "the violation"
+                                : "all " + all;
+  return fmt::format("cause: {} (explains {})", cause.words, explained);
 }
 
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
@@ -207,27 +219,55 @@ std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, cons
       mesh_name);
 }
 
+std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
+                                                 const std::string& mesh_name) {
+  const auto& tallies = verdict.tallies();
+  const bool may_be_meant = tallies.contains(Rule::kHullNotConvex) ||
+                            tallies.contains(Rule::kHullNotClosed) ||
+                            tallies.contains(Rule::kDegenerateSimplex);
+  const bool is_of_points =
+      verdict.claim() == Claim::kTriangulation || verdict.claim() == Claim::kDelaunay;
+  if (!may_be_meant || !is_of_points) return std::nullopt;
+  return mesh_name +
+         ": --claim complex tells whether the simplices fit together, whatever they fill";
+}
+
+std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
+                                              const std::string& mesh_name) {
+  if (!verdict.complex || !verdict.complex->are_counts_cut) return std::nullopt;
+  return mesh_name + ": so many simplices overlap that no more were looked for: the counts are at "
+                     "least those";
+}
+
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name) {
   if (!verdict.complex || verdict.complex->set_apart == 0) return std::nullopt;
   const ComplexFacts& facts = *verdict.complex;
+  std::string broken;
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    if (stage(rule) != Stage::kFacets) continue;
+    broken += fmt::format("{}{} {}", broken.empty() ? ": " : ", ", identifier(rule), tally.count);
+  }
   return fmt::format(
-      "{}: {} set apart: flat, listed twice, or no simplices; the others {} a complex", mesh_name,
+      "{}: {} set apart: flat, listed twice, or no simplices; the others {} a complex{}", mesh_name,
       counted_simplices(facts.set_apart, facts.dimension) + (facts.set_apart == 1 ? " is" : " are"),
-      facts.is_complex ? "form" : "do not form");
+      facts.is_complex ? "form" : "do not form", facts.is_complex ? "" : broken);
 }
 
-std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count) {
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count,
+                                  std::string_view to_merge) {
   return fmt::format(
-      "expected distinct points, found points {} and {} equal{}", kept, again,
-      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "");
+      "expected distinct points, found points {} and {} equal{}{}", kept, again,
+      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "",
+      to_merge.empty() ? "" : fmt::format("; to take equal points for one, {}", to_merge));
 }
 
-std::string note_of_merged_points(const std::vector<Duplicate>& merged) {
+std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex first_index) {
   const auto& [kept, again] = merged.front();
-  return fmt::format("points {} and {} are equal and count as one{}", kept, again,
-                     merged.size() > 1 ? fmt::format("; in all, {} repeat an earlier one",
-                                                     counted(merged.size(), "point"))
-                                       : "");
+  return fmt::format(
+      "points {} and {} are equal and count as one{}", kept + first_index, again + first_index,
+      merged.size() > 1
+          ? fmt::format("; in all, {} repeat an earlier one", counted(merged.size(), "point"))
+          : "");
 }
 
 // ---- Words that texts and JSON share ----

@@ -24,10 +24,13 @@ namespace circumspect::report {
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain = nullptr);
 
-// Every witness kept, several lines each; for each rule the number of further ones; and the worst
-// relative margin. Empty if the claim holds. Exact values that are too long to read are given as
+// Every witness kept, several lines each; for each rule the number of further ones; the worst
+// relative margin; and what may be the cause, a line each. Empty if the claim holds. Exact values that are too long to read are given as
 // decimals; JSON has them in full.
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain = nullptr);
+
+// "cause: 1 tetrahedron is missing: 4 17 22 9 fills the hole (explains all 4 violations)".
+std::string cause_line(const Cause& cause);
 
 // The text of a note if no domain was given: the mesh may be a mesh of a domain, since it does not
 // fill the convex hull of its points. Nothing if it does fill the hull, if weights count, or if
@@ -35,16 +38,28 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
                                                     const std::string& mesh_name);
 
+// The text of a note if the claim `complex`, which was not asked, may be what was meant: the mesh does not fill the
+// convex hull of its points, or has flat simplices, which keep the others from being judged.
+std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
+                                                 const std::string& mesh_name);
+
+// For a note, of the claim `complex`: that more overlap than were counted. None if all were.
+std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
+                                              const std::string& mesh_name);
+
 // For a note, of the claim `complex`: how many simplices were set apart, and whether the others form a complex. None if
 // none was.
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name);
 
 // For a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and
-// 1 more duplicate". `count`: how many repeat an earlier point; the first of these is `again`,
-// which repeats `kept`, by the user's indices.
-std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count);
-// The text of a note on merged points, by places: "points 2 and 3 are equal and count as one".
-std::string note_of_merged_points(const std::vector<Duplicate>& merged);
+// 1 more duplicate; to take equal points for one, add --duplicates merge". `count`: how many repeat
+// an earlier point; the first of these is `again`, which repeats `kept`, by the user's indices.
+// `to_merge`: what the user does to merge them, if that is possible.
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count,
+                                  std::string_view to_merge);
+// The text of a note on merged points: "points 2 and 3 are equal and count as one". Requires: some
+// were merged; the user's index of the first point is `first_index`.
+std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex first_index = 0);
 
 // ---- Words that texts and JSON share ----
 // The words that texts and JSON share.

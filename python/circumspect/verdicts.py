@@ -85,6 +85,11 @@ class Verdict:
         """The witnesses, at most `max_errors` of them."""
         return [violation_of(entry) for entry in self.to_dict()["violations"]]
 
+    @property
+    def causes(self) -> List[dict]:
+        """What may be all that is wrong, most first: `cause`, `text`, and how many of how many violations it `explains`."""
+        return self.to_dict().get("causes", [])
+
     def raise_for_failure(self) -> "Verdict":
         """Raises CheckFailed, an AssertionError, if the claim does not hold."""
         if not self.holds:

@@ -6,6 +6,8 @@
 #include <random>
 #include <utility>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect::delaunay {
 
 // ---- Space-filling curves ----
@@ -20,8 +22,10 @@ void number_coordinates(const PointSet& points, const std::vector<Vertex>& verti
   };
   std::vector<std::size_t> order(vertices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return coordinate(a) < coordinate(b); });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    end_if_interrupted();
+    return coordinate(a) < coordinate(b);
+  });
   std::uint64_t number = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && coordinate(order[i - 1]) != coordinate(order[i])) ++number;
@@ -87,6 +91,7 @@ std::vector<Vertex> along_curve(const PointSet& points, std::vector<Vertex> vert
   std::vector<std::size_t> order(vertices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    end_if_interrupted();
     return precedes_on_z_order_curve(cells[a], cells[b]);
   });
   std::vector<Vertex> sequence;

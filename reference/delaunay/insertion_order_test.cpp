@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/interruption.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -186,4 +187,19 @@ TEST_CASE("BRIO: rounds follow the curve forwards when odd, backwards when even"
 }
 
 }  // namespace
+// ---- Interruption ----
+
+TEST_CASE("points that are converted and sorted ask often whether anybody waits for them") {
+  std::vector<Point> all;
+  for (int i = 0; i < 100; ++i) all.push_back({Rational(i * 37 % 100) / 3, Rational(i)});
+  const PointSet points(all);
+  std::vector<Vertex> vertices(all.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = static_cast<Vertex>(i);
+  const Interruption past{nullptr, std::chrono::steady_clock::now() - std::chrono::hours(1)};
+  const Interruptible interruptible(&past);
+  CHECK_THROWS_AS(Configuration(all, {}), Interrupted);
+  CHECK_THROWS_AS(duplicates(all), Interrupted);
+  CHECK_THROWS_AS(along_curve(points, vertices, SpaceFillingCurve::kHilbert), Interrupted);
+}
+
 }  // namespace circumspect::delaunay

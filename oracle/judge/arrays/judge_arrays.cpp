@@ -38,8 +38,7 @@ Verdict verdict_on(Claim claim, Mesh& mesh, const JudgeOptions& options) {
   if (verdict) return *std::move(verdict);
   const auto& repeated = verdict.error().repeated;
   throw std::invalid_argument(report::fault_of_equal_points(
-                                  repeated.front().kept, repeated.front().again, repeated.size()) +
-                              "; to take equal points for one, set merge_equal_points");
+      repeated.front().kept, repeated.front().again, repeated.size(), "set merge_equal_points"));
 }
 
 }  // namespace

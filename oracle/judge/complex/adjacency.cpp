@@ -69,14 +69,16 @@ std::vector<Simplex> open_facets(const std::vector<FacetUse>& uses) {
   return open;
 }
 
-std::size_t parts(const std::vector<Simplex>& simplices, const std::vector<FacetUse>& uses) {
+std::vector<std::size_t> part_of_each(const std::vector<Simplex>& simplices,
+                                      const std::vector<FacetUse>& uses) {
   DisjointSets joined(simplices.size());
   for_each_facet(uses, [&](Uses group) {
     for (const FacetUse& use : group) joined.unite(use.simplex, group.front().simplex);
   });
-  std::size_t count = 0;
-  for (std::size_t s = 0; s < simplices.size(); ++s) count += joined.find(s) == s ? 1 : 0;
-  return count;
+  std::vector<std::size_t> parts;
+  parts.reserve(simplices.size());
+  for (std::size_t s = 0; s < simplices.size(); ++s) parts.push_back(joined.find(s));
+  return parts;
 }
 
 std::vector<Simplex> inconsistent_facets(const std::vector<Simplex>& simplices,

@@ -13,8 +13,9 @@ namespace circumspect::check {
 
 std::vector<Simplex> open_facets(const std::vector<FacetUse>& uses);
 
-// How many parts there are that facets connect.
-std::size_t parts(const std::vector<Simplex>& simplices, const std::vector<FacetUse>& uses);
+// Which part each simplex is in, of those that facets connect: the place of one of its simplices.
+std::vector<std::size_t> part_of_each(const std::vector<Simplex>& simplices,
+                                      const std::vector<FacetUse>& uses);
 
 std::vector<Simplex> inconsistent_facets(const std::vector<Simplex>& simplices,
                                          const std::vector<FacetUse>& uses);

@@ -59,7 +59,9 @@ class Conditions {
   Places beside_outside() const {
     Places found;
     const BoxIndex tree(boxes_around(positions_, simplices_));
-    for (const std::size_t one : one_of_each_class(facets_)) {
+    const Places class_of = class_of_each(facets_);
+    for (std::size_t one = 0; one < facets_.size(); ++one) {
+      if (class_of[one] != one) continue;
       const std::vector<Point> facet = corners(facets_[one]);
       const Point& own = positions_[static_cast<std::size_t>(apex(owners_[one]))];
       for (const std::size_t s : tree.meeting(boxes_around(positions_, {facets_[one]}).front())) {
@@ -115,18 +117,17 @@ std::vector<std::size_t> improper_facets(const Configuration& points,
 }
 
 // Where a ridge is in two facets, nothing is between their outer sides.
-std::vector<std::size_t> one_of_each_class(const std::vector<Simplex>& facets) {
+std::vector<std::size_t> class_of_each(const std::vector<Simplex>& facets) {
   DisjointSets classes(facets.size());
   const bool has_ridges = !facets.empty() && facets.front().size() > 1;
   for_each_facet(has_ridges ? facet_uses(facets) : std::vector<FacetUse>(),
                  [&](std::span<const FacetUse> group) {
                    if (group.size() == 2) classes.unite(group[0].simplex, group[1].simplex);
                  });
-  std::vector<std::size_t> ones;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    if (classes.find(i) == i) ones.push_back(i);
-  }
-  return ones;
+  std::vector<std::size_t> class_of;
+  class_of.reserve(facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i) class_of.push_back(classes.find(i));
+  return class_of;
 }
 
 // On which side of a facet of the simplex the points are the centre says, or, if that is in its

@@ -30,8 +30,8 @@ std::vector<std::size_t> improper_facets(const Configuration& points,
                                          const std::vector<Point>& positions,
                                          const std::vector<Simplex>& facets);
 
-// One facet of each class, by their places, ascending.
-std::vector<std::size_t> one_of_each_class(const std::vector<Simplex>& facets);
+// The class of each facet: the place of one of them, which is in it.
+std::vector<std::size_t> class_of_each(const std::vector<Simplex>& facets);
 
 // Does a closed simplex hold the points next to the centre of a facet that are on the other side
 // than `apex`? By their corners.

@@ -74,6 +74,12 @@ SetApart sorted_apart(const ListedComplex& listed, const Configuration& points, 
   return apart;
 }
 
+void take_signs(std::vector<int> signs, Findings& found) {
+  found.signs = std::move(signs);
+  found.positive = static_cast<std::size_t>(std::count(found.signs.begin(), found.signs.end(), 1));
+  found.negative = found.signs.size() - found.positive;
+}
+
 std::vector<int> signs(const Configuration& points, const std::vector<Simplex>& simplices) {
   std::vector<std::size_t> axes(points.ambient_dimension());
   std::iota(axes.begin(), axes.end(), std::size_t{0});
@@ -104,9 +110,11 @@ Findings findings_by_definition(const ListedComplex& listed, const ComplexDemand
   found.improper = definition::improper_pairs(listed, found.apart);
   const std::vector<Simplex> simplices = compared(found.apart);
   found.open_facets = definition::open_facets(simplices);
+  found.boundary_facets = found.open_facets.size();
   found.parts = definition::parts(simplices);
+  found.part_of = part_of_each(simplices, facet_uses(simplices));
   if (size == dimension(listed) + 1) {
-    found.signs = definition::orientation_signs(listed.points, simplices);
+    take_signs(definition::orientation_signs(listed.points, simplices), found);
   } else {
     found.inconsistent = definition::inconsistent_facets(simplices);
   }
@@ -127,13 +135,29 @@ Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& de
   if (is_full) among = left_out_of_complex(points, listed.points, simplices);
   if (!among.empty()) found.improper = improper_pairs(points, listed, found.apart, among);
   found.open_facets = open_facets(uses);
-  found.parts = parts(simplices, uses);
+  found.boundary_facets = found.open_facets.size();
+  found.part_of = part_of_each(simplices, uses);
+  found.parts =
+      std::set<std::size_t>(found.part_of.begin(), found.part_of.end()).size();
   if (is_full) {
-    found.signs = signs(points, simplices);
+    take_signs(signs(points, simplices), found);
   } else {
     found.inconsistent = inconsistent_facets(simplices, uses);
   }
   if (demands.manifold) found.not_manifold = not_manifold(simplices, uses);
+  return found;
+}
+
+Findings findings_of_part(const ListedComplex& part, const std::vector<bool>& may_be_improper) {
+  Findings found;
+  const Configuration points(part.points);
+  found.apart = sorted_apart(part, points, dimension(part) + 1);
+  std::vector<std::size_t> among;
+  for (std::size_t i = 0; i < found.apart.compared.size(); ++i) {
+    if (may_be_improper[found.apart.compared[i]]) among.push_back(i);
+  }
+  if (!among.empty()) found.improper = improper_pairs(points, part, found.apart, among);
+  take_signs(signs(points, compared(found.apart)), found);
   return found;
 }
 

@@ -13,8 +13,11 @@ struct Findings {
   definition::SetApart apart = {};
   definition::ImproperPairs improper = {};
   std::vector<Simplex> open_facets = {};
+  std::size_t boundary_facets = 0;  // how many these are
   std::size_t parts = 0;
+  std::vector<std::size_t> part_of = {};   // the same number for two of one part
   std::vector<int> signs = {};             // if they have d + 1 vertices
+  std::size_t positive = 0, negative = 0;  // how many of these are
   std::vector<Simplex> inconsistent = {};  // if they have fewer
   definition::NotManifold not_manifold = {};
 };
@@ -26,5 +29,11 @@ std::size_t size_of_simplices(const definition::ListedComplex& listed);
 Findings findings_by_definition(const definition::ListedComplex& listed,
                                 const ComplexDemands& demands);
 Findings findings_by_lemma(const definition::ListedComplex& listed, const ComplexDemands& demands);
+
+// Of a part of a mesh, for which it is known who is in a pair that does not meet as it should: only
+// among simplices that `may_be_improper` says yes of, by their places in the list. What facets say,
+// of the whole mesh, is left to others.
+Findings findings_of_part(const definition::ListedComplex& part,
+                          const std::vector<bool>& may_be_improper);
 
 }  // namespace circumspect::check

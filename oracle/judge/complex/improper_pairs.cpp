@@ -63,6 +63,8 @@ class Pairs {
     const std::vector<Box> boxes = boxes_around(listed.points, compared);
     const BoxIndex tree(boxes);
     for (const std::size_t i : among) {
+      pairs_.is_cut = pairs_.overlaps.size() >= kMostOverlaps;
+      if (pairs_.is_cut) break;
       for (const std::size_t j : tree.meeting(boxes[i])) {
         const bool comes_again = std::binary_search(among.begin(), among.end(), j);
         if (j == i || (comes_again && j < i)) continue;
@@ -73,6 +75,7 @@ class Pairs {
   }
 
   ImproperPairs found() && {
+    if (pairs_.is_cut) return std::move(pairs_);
     for (const HangingVertex& one : hanging_) {
       if (!is_repetition({one.vertex}, one.face)) pairs_.hanging.push_back(one);
     }
@@ -83,6 +86,8 @@ class Pairs {
   }
 
  private:
+  static constexpr std::size_t kMostOverlaps = 50'000;
+
   void compare(std::size_t i, std::size_t j) {
     const Carriers both = carriers(points_, sorted_[i], sorted_[j]);
     if (both.are_proper()) return;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "kernel/complex/point_set.hpp"
-#include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
@@ -15,6 +15,13 @@ using definition::ListedComplex;
 
 NamedValue named(const char* name, std::size_t value) {
   return {name, Rational(static_cast<long>(value))};
+}
+
+// Each once.
+Simplex ascending(Simplex vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
 }
 
 // Turns what was found into a verdict, whoever found it.
@@ -54,7 +61,9 @@ class Said {
   void pairs(bool hanging_is_allowed) {
     for (const auto& [i, j] : found_.improper.overlaps) {
       if (!verdict_.keeps_more()) {
-        verdict_.count(Rule::kOverlap);
+        Simplex both = listed_.simplices[i];
+        both.insert(both.end(), listed_.simplices[j].begin(), listed_.simplices[j].end());
+        verdict_.count(Rule::kOverlap, std::nullopt, ascending(std::move(both)));
         continue;
       }
       Witness witness = of_places({i, j});
@@ -84,9 +93,7 @@ class Said {
       witness.face = facet;
       verdict_.add(Rule::kNotOriented, witness);
     }
-    const auto positive = std::count(found_.signs.begin(), found_.signs.end(), 1);
-    const bool are_most = 2 * positive >= std::ssize(found_.signs);
-    const int of_most = are_most ? 1 : -1;
+    const int of_most = found_.positive >= found_.negative ? 1 : -1;
     const auto example = std::find(found_.signs.begin(), found_.signs.end(), of_most);
     for (std::size_t i = 0; i < found_.signs.size(); ++i) {
       const std::size_t s = found_.apart.compared[i];
@@ -102,6 +109,26 @@ class Said {
         verdict_.add(Rule::kOrientation, witness);
       }
     }
+  }
+
+  // Do vertices hang, and has no part a simplex with such a vertex and one in which it hangs?
+  bool only_parts_hang() {
+    const auto parts_with = [&](const Simplex& face) {
+      std::set<std::size_t> parts;
+      for (const std::size_t s : all_with(face)) {
+        const auto& compared = found_.apart.compared;
+        const auto place = std::lower_bound(compared.begin(), compared.end(), s);
+        parts.insert(found_.part_of[static_cast<std::size_t>(place - compared.begin())]);
+      }
+      return parts;
+    };
+    for (const auto& [vertex, face] : found_.improper.hanging) {
+      const std::set<std::size_t> of_face = parts_with(face);
+      for (const std::size_t part : parts_with({vertex})) {
+        if (of_face.contains(part)) return false;
+      }
+    }
+    return !found_.improper.hanging.empty();
   }
 
   void boundary(const ComplexDemands& demands) {
@@ -170,14 +197,8 @@ class Said {
 
   // The first simplex, and the first that facets do not connect with it.
   std::vector<std::size_t> in_two_parts() const {
-    std::vector<Simplex> simplices;
-    for (const std::size_t s : found_.apart.compared) simplices.push_back(merged(s));
-    DisjointSets joined(simplices.size());
-    for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
-      for (const FacetUse& use : group) joined.unite(use.simplex, group.front().simplex);
-    });
     std::size_t other = 0;
-    while (joined.find(other) == joined.find(0)) ++other;
+    while (found_.part_of[other] == found_.part_of[0]) ++other;
     return {found_.apart.compared[0], found_.apart.compared[other]};
   }
 
@@ -214,17 +235,37 @@ class Said {
   std::map<Vertex, std::vector<std::size_t>> at_vertex_;
 };
 
+// Each of the two edges that cross is in two facets, with a vertex of the other each, which are in
+// one simplex only.
+std::size_t crossed_quadrilaterals(const Findings& found) {
+  std::size_t count = 0;
+  const auto is_open = [&](Simplex edge, Vertex apex) {
+    edge.push_back(apex);
+    std::sort(edge.begin(), edge.end());
+    return std::binary_search(found.open_facets.begin(), found.open_facets.end(), edge);
+  };
+  for (const auto& [first, second] : found.improper.crossing) {
+    if (first.size() != 2 || second.size() != 2) continue;
+    count += is_open(first, second[0]) && is_open(first, second[1]) && is_open(second, first[0]) &&
+                     is_open(second, first[1])
+                 ? 1
+                 : 0;
+  }
+  return count;
+}
+
 ComplexFacts facts_of(const Findings& found, const ComplexDemands& demands, std::size_t size) {
   ComplexFacts facts;
   facts.dimension = static_cast<int>(size) - 1;
   facts.set_apart = found.apart.merged.size() - found.apart.compared.size();
   facts.is_complex = found.improper.overlaps.empty() && found.improper.crossing.empty() &&
                      (found.improper.hanging.empty() || demands.allow_hanging);
+  facts.are_counts_cut = found.improper.is_cut;
   facts.parts = found.parts;
-  facts.boundary_facets = found.open_facets.size();
+  facts.boundary_facets = found.boundary_facets;
   facts.hanging_vertices = found.improper.hanging.size();
-  facts.positive = static_cast<std::size_t>(std::count(found.signs.begin(), found.signs.end(), 1));
-  facts.negative = found.signs.size() - facts.positive;
+  facts.positive = found.positive;
+  facts.negative = found.negative;
   return facts;
 }
 
@@ -261,8 +302,14 @@ std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
 
 Verdict judge_complex(const ListedComplex& listed, const ComplexDemands& demands,
                       bool by_definition, std::size_t max_violations) {
-  const Findings found =
-      by_definition ? findings_by_definition(listed, demands) : findings_by_lemma(listed, demands);
+  return verdict_of_findings(
+      listed,
+      by_definition ? findings_by_definition(listed, demands) : findings_by_lemma(listed, demands),
+      demands, max_violations);
+}
+
+Verdict verdict_of_findings(const ListedComplex& listed, const Findings& found,
+                            const ComplexDemands& demands, std::size_t max_violations) {
   const std::size_t size = size_of_simplices(listed);
   Verdict verdict(Claim::kComplex, max_violations);
   verdict.points = listed.points.size();
@@ -275,6 +322,8 @@ Verdict judge_complex(const ListedComplex& listed, const ComplexDemands& demands
   if (!demands.allow_unused) said.vertex_set();
   said.boundary(demands);
   verdict.complex = facts_of(found, demands, size);
+  verdict.complex->crossed_quadrilaterals = crossed_quadrilaterals(found);
+  verdict.complex->only_parts_hang = said.only_parts_hang();
   return verdict;
 }
 

@@ -20,4 +20,8 @@ std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
 Verdict judge_complex(const definition::ListedComplex& listed, const ComplexDemands& demands,
                       bool by_definition, std::size_t max_violations);
 
+// The verdict that these findings are, of a list of simplices or of a part of one.
+Verdict verdict_of_findings(const definition::ListedComplex& listed, const Findings& found,
+                            const ComplexDemands& demands, std::size_t max_violations);
+
 }  // namespace circumspect::check

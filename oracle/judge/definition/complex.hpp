@@ -55,6 +55,8 @@ struct ImproperPairs {
   std::vector<std::array<std::size_t, 2>> overlaps = {};  // by the places of the simplices
   std::vector<HangingVertex> hanging = {};
   std::vector<CrossingFaces> crossing = {};
+  // Were there so many overlaps that no more were looked for? Then only overlaps are listed.
+  bool is_cut = false;
 };
 // Each (b) and (c) once, in order of indices. Left out is what only repeats something else: what
 // has all its vertices in one flat simplex of the list, and what two simplices have that overlap.

@@ -38,6 +38,23 @@ inline AxisBox box_of_point(std::span<const double> coordinates, std::size_t v) 
   return {at, at};
 }
 
+// The box of some points of the plane, where the third coordinate is 0, or of space.
+template <std::size_t kDimension, typename Index>
+AxisBox box_of_points(std::span<const double> coordinates, std::span<const Index> vertices) {
+  AxisBox box{};
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    double low = coordinates[static_cast<std::size_t>(vertices[0]) * kDimension + axis], high = low;
+    for (const Index v : vertices) {
+      const double x = coordinates[static_cast<std::size_t>(v) * kDimension + axis];
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    box.low[axis] = low;
+    box.high[axis] = high;
+  }
+  return box;
+}
+
 // A binary tree of boxes, which finds pairs that meet, and boxes that something else may meet.
 class BoxTree {
  public:

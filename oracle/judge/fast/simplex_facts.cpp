@@ -178,6 +178,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
       .ties = std::move(swept.ties),
       .not_canonical = std::move(swept.not_canonical),
       .oriented = sweep.orientations().are_equal(),
+      .uses_all_points = sweep.unused().empty(),
       .stages = swept.stages};
   if (wanted.hull) {
     facts.fills_hull = judge(mesh, links->view(), Question::kTriangulation, threads).has_value();

@@ -25,6 +25,7 @@ struct SimplexFacts {
   std::vector<FacetId> ties = {};
   std::vector<FacetId> not_canonical = {};
   bool oriented = true;  // all simplices alike
+  bool uses_all_points = true;
   // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2
   // and 3 of docs/theory/points.md.)
   bool fills_hull = false;

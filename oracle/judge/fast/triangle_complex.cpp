@@ -235,17 +235,41 @@ PlaneAxes axes_of_triangle(std::span<const double> coordinates, const Corners& t
   return axes_of(Points(corners), {0, 1, 2});
 }
 
-bool are_surely_a_complex(std::span<const double> coordinates, std::span<const Corners> triangles) {
+namespace {
+
+// Calls visit(a, b) for every two triangles that do not meet as they should, until it returns false;
+// false then, and if that would take long, or a triangle has its corners on a line.
+template <class Visit>
+bool visit_improper(std::span<const double> coordinates, std::span<const Corners> triangles,
+                    const Visit& visit) {
   constexpr std::size_t kSteps = 32;  // for each triangle, on average
   const Points points(coordinates);
   for (const Corners& triangle : triangles) {
     if (axes_of(points, triangle).none()) return false;
   }
-  const auto meet = [&](std::uint32_t a, std::uint32_t b) {
-    return meet_properly(points, triangles[a], triangles[b]);
-  };
   return BoxTree(boxes_of(coordinates, triangles))
-      .all_pairs(kSteps * triangles.size() + kSteps, meet);
+      .all_pairs(kSteps * triangles.size() + kSteps, [&](std::uint32_t a, std::uint32_t b) {
+        return meet_properly(points, triangles[a], triangles[b]) || visit(a, b);
+      });
+}
+
+}  // namespace
+
+bool are_surely_a_complex(std::span<const double> coordinates, std::span<const Corners> triangles) {
+  return visit_improper(coordinates, triangles, [](std::size_t, std::size_t) { return false; });
+}
+
+std::optional<std::vector<std::size_t>> improper_triangles(std::span<const double> coordinates,
+                                                           std::span<const Corners> triangles) {
+  std::vector<std::size_t> found;
+  const bool are_all = visit_improper(coordinates, triangles, [&](std::size_t a, std::size_t b) {
+    found.insert(found.end(), {a, b});
+    return true;
+  });
+  if (!are_all) return std::nullopt;
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }  // namespace circumspect::fast

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace circumspect::fast {
 
@@ -15,6 +17,12 @@ namespace circumspect::fast {
 // triangle are three different points of the list, and no two points are equal.
 bool are_surely_a_complex(std::span<const double> coordinates,
                           std::span<const std::array<std::int32_t, 3>> triangles);
+
+// The triangles that do not meet another as those of a complex do, by their places, ascending: none
+// if they are one. Nothing if it would take long to find out, or if one has its corners on a line.
+// Requires: as above.
+std::optional<std::vector<std::size_t>> improper_triangles(
+    std::span<const double> coordinates, std::span<const std::array<std::int32_t, 3>> triangles);
 
 // The first of the axis pairs xy, xz and yz on which a triangle is not flat; nothing if its corners
 // are on one line. Requires: as above.

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect::check {
 
 namespace {
@@ -24,6 +26,7 @@ CellList sorted_keys(const CellList& cells) {
   CellList keys;
   Simplex key;
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    end_if_interrupted();
     key.assign(cells[i].begin(), cells[i].end());
     std::sort(key.begin(), key.end());
     keys.add(key);
@@ -43,6 +46,7 @@ class Index {
     order_.resize(size());
     for (std::size_t i = 0; i < size(); ++i) order_[next[bucket(keys_[i])]++] = i;
     for (std::size_t k = 0; k + 1 < starts_.size(); ++k) {
+      end_if_interrupted();
       // Cells with equal keys stay as listed, because the buckets were filled in that order.
       std::stable_sort(at(starts_[k]), at(starts_[k + 1]), [this](std::size_t i, std::size_t j) {
         return is_less(keys_[i], keys_[j]);
@@ -142,6 +146,7 @@ void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_
   Faces known(listed, points);
   Simplex key;
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    end_if_interrupted();
     key.assign(cells[i].begin(), cells[i].end());
     std::sort(key.begin(), key.end());
     known.cover(key);
@@ -168,6 +173,7 @@ CellDifference difference_of_cells(const CellList& a, const CellList& b,
   };
   Simplex image;
   for (std::size_t i = 0; i < a.size(); ++i) {
+    end_if_interrupted();
     image.clear();
     for (const Vertex v : a[i]) image.push_back(place_of(v));
     std::sort(image.begin(), image.end());
@@ -202,8 +208,10 @@ using WeightedPoint = std::pair<Point, Rational>;
 
 std::map<WeightedPoint, Vertex> places(const PointSet& points) {
   std::map<WeightedPoint, Vertex> places;
-  for (Vertex v = 0; points.names(v); ++v)
+  for (Vertex v = 0; points.names(v); ++v) {
+    end_if_interrupted();
     places.emplace(WeightedPoint(points[v], points.weight(v)), v);
+  }
   return places;
 }
 
@@ -213,6 +221,7 @@ std::vector<Vertex> matched(const PointSet& points, const std::map<WeightedPoint
                             std::vector<Vertex>& only_here) {
   std::vector<Vertex> places;
   for (Vertex v = 0; points.names(v); ++v) {
+    end_if_interrupted();
     const auto other = others.find({points[v], points.weight(v)});
     places.push_back(other == others.end() ? -1 : other->second);
     if (other == others.end()) only_here.push_back(v);

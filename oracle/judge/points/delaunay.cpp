@@ -81,7 +81,9 @@ bool adds_to_count_only(const ExactMesh& mesh, Rule rule, const Simplex& simplex
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
   if (adds_to_count_only(mesh, rule, simplex, q, verdict)) {
-    verdict.count(rule);
+    Simplex named = simplex;
+    named.push_back(q);
+    verdict.count(rule, std::nullopt, sorted(std::move(named)));
     return;
   }
   definition::add_in_ball(mesh.points, rule, simplex, facet, q, verdict);

@@ -204,6 +204,10 @@ function section(result, first) {
   if (!heading) return element('section', { 'aria-label': result.finding.signature }, ...finding(result.finding));
   const parts = [...(result.finding ? finding(result.finding) : []), element('h2', {}, heading),
     element('p', { class: `verdict ${report?.verdict ?? result.verdict}` }, result.line)];
+  for (const cause of report?.causes ?? []) {
+    parts.push(element('p', { class: 'cause' }, element('strong', {}, 'Cause: '),
+      `${cause.text} (explains ${cause.explains} of ${cause.of}${cause.of_listed ? ' listed here' : ''})`));
+  }
   for (const note of result.notes ?? []) parts.push(element('p', { class: 'note' }, note));
   if (result.steps?.left_out) parts.push(element('p', { class: 'note' }, result.steps.left_out));
   if (result.cards_note) parts.push(element('p', { class: 'note' }, result.cards_note));

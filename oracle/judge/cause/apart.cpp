@@ -1,0 +1,116 @@
+// Parts that were meshed apart: equal points, hanging vertices, and diagonals that cross.
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "oracle/judge/cause/rows.hpp"
+#include "oracle/report/text.hpp"
+
+namespace circumspect::check {
+namespace {
+
+bool has_all(const std::set<Vertex>& vertices, const Simplex& face) {
+  return std::all_of(face.begin(), face.end(), [&](Vertex v) { return vertices.contains(v); });
+}
+
+// Where a rule of the claim `complex` is broken.
+class BrokenAt {
+ public:
+  BrokenAt(const Verdict& alone, Rule rule) {
+    for (const Violation& violation : alone.violations()) {
+      if (violation.rule != rule) continue;
+      const Witness& witness = violation.witness;
+      Simplex cells = witness.vertices;
+      if (witness.face) cells.insert(cells.end(), witness.face->begin(), witness.face->end());
+      vertices_.insert(cells.begin(), cells.end());
+      for (const Simplex& simplex : witness.simplices) {
+        vertices_.insert(simplex.begin(), simplex.end());
+      }
+      cells_.push_back(std::move(cells));
+    }
+  }
+
+  // A face of the boundary of which all vertices are there, or two simplices that have the vertex
+  // and the face in which it hangs, or both diagonals.
+  bool explains(const Witness& witness) const {
+    if (witness.face) return !witness.face->empty() && has_all(vertices_, *witness.face);
+    std::set<Vertex> named;
+    for (const Simplex& simplex : witness.simplices) named.insert(simplex.begin(), simplex.end());
+    return std::any_of(cells_.begin(), cells_.end(),
+                       [&](const Simplex& cells) { return has_all(named, cells); });
+  }
+
+ private:
+  std::set<Vertex> vertices_ = {};
+  std::vector<Simplex> cells_ = {};
+};
+
+// What it explains of a claim that says what is covered, of the violations whose witnesses are kept.
+Cause of_listed(Case& of, std::string name, std::string words, Rule rule) {
+  const BrokenAt broken(*of.as_complex(), rule);
+  Cause cause{std::move(name), std::move(words), 0, of.verdict().violations().size(), true};
+  for (const Violation& violation : of.verdict().violations()) {
+    cause.explains += broken.explains(violation.witness) ? 1 : 0;
+  }
+  if (cause.of == of.violations()) cause.of_listed = false;
+  return cause;
+}
+
+bool may_be_apart(const Case& of) {
+  // Where hundreds overlap, vertices that hang are not the reason.
+  constexpr std::size_t kMostOverlaps = 200;
+  const std::size_t overlaps = of.count(Rule::kOverlap);
+  return (overlaps > 0 && overlaps <= kMostOverlaps) || of.breaks(Rule::kHullNotClosed) || of.breaks(Rule::kHullNotConvex) ||
+         of.breaks(Rule::kUncovered) || of.breaks(Rule::kPolygonNotTiled) ||
+         of.breaks(Rule::kHangingVertex) || of.breaks(Rule::kFacesCross);
+}
+
+}  // namespace
+
+std::optional<Cause> equal_points_of_parts(Case& of) {
+  const std::size_t count = of.count(Rule::kPointsEqual);
+  if (count == 0) return std::nullopt;
+  const bool is_all = count == of.violations();
+  return of.cause(
+      "equal-points",
+      fmt::format("{} {} another one, exactly: with --duplicates merge {}",
+                  report::counted(count, "point"), count == 1 ? "equals" : "equal",
+                  is_all ? "the claim holds" : "they count as one, and the rest remains"),
+      count);
+}
+
+std::optional<Cause> hanging_vertices(Case& of) {
+  if (!may_be_apart(of)) return std::nullopt;
+  const Verdict* const alone = of.as_complex();
+  if (alone == nullptr || !alone->tallies().contains(Rule::kHangingVertex)) return std::nullopt;
+  const std::size_t count = alone->tallies().at(Rule::kHangingVertex).count;
+  const std::string vertices = count == 1 ? "1 vertex lies" : fmt::format("{} vertices lie", count);
+  const std::string words =
+      alone->complex->only_parts_hang
+          ? fmt::format("parts that were meshed apart meet: {} inside faces of another part",
+                        vertices)
+          : fmt::format("{} inside faces of simplices that are not cut there", vertices);
+  const bool is_own = of.verdict().claim() == Claim::kComplex;
+  if (!is_own) return of_listed(of, "hanging-vertices", words, Rule::kHangingVertex);
+  const bool is_all = count == of.violations();
+  return of.cause("hanging-vertices",
+                  words + (is_all ? " (--allow hanging-vertex lets them pass)" : ""), count);
+}
+
+std::optional<Cause> crossed_diagonals(Case& of) {
+  if (!may_be_apart(of)) return std::nullopt;
+  const Verdict* const alone = of.as_complex();
+  if (alone == nullptr || alone->complex->crossed_quadrilaterals == 0) return std::nullopt;
+  const std::size_t count = alone->complex->crossed_quadrilaterals;
+  const std::string words = fmt::format(
+      "parts that were meshed apart meet in {} with different diagonals",
+      report::counted(count, "quadrilateral"));
+  if (of.verdict().claim() != Claim::kComplex) {
+    return of_listed(of, "crossed-diagonals", words, Rule::kFacesCross);
+  }
+  return of.cause("crossed-diagonals", words, count);
+}
+
+}  // namespace circumspect::check

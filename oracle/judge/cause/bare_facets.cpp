@@ -1,0 +1,76 @@
+#include "oracle/judge/cause/bare_facets.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/cause/rows_of.hpp"
+#include "oracle/judge/fast/facet_matching.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
+
+namespace circumspect::check {
+namespace {
+
+template <std::size_t kDimension>
+int orientation_of_doubles(std::span<const double> coordinates, const Simplex& points) {
+  fast::SiteRow<kDimension> row;
+  for (std::size_t i = 0; i <= kDimension; ++i) {
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      row[i].at[axis] = coordinates[static_cast<std::size_t>(points[i]) * kDimension + axis];
+    }
+  }
+  fast::Stages stages;
+  return fast::orientation<kDimension>(row, stages);
+}
+
+}  // namespace
+
+std::vector<BareFacet> bare_facets(const Mesh& mesh) {
+  std::vector<BareFacet> found;
+  look_at_rows(mesh, [&]<std::size_t kDimension, class Index>(
+                         const fast::MeshView<kDimension, Index>& view) {
+    constexpr std::size_t kVertices = kDimension + 1;
+    const auto links = fast::matched_facets(view, 1);
+    if (!links) return;
+    std::vector<bool> is_overused(links->count, false);
+    for (const auto& group : links->overused) {
+      for (const std::uint64_t facet : group) is_overused[facet] = true;
+    }
+    for (std::size_t i = 0; i < links->count; ++i) {
+      if (links->view()[i] >= 0 || is_overused[i]) continue;
+      const auto row = view.row(i / kVertices);
+      const auto facet = fast::facet_of<kVertices, Index>(row, i % kVertices);
+      found.push_back({Simplex(facet.begin(), facet.end()), Vertex{row[i % kVertices]}});
+    }
+  });
+  std::sort(found.begin(), found.end(),
+            [](const BareFacet& a, const BareFacet& b) { return a.facet < b.facet; });
+  return found;
+}
+
+int orientation_in(const Mesh& mesh, const Simplex& points) {
+  const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
+  if (doubles != nullptr && mesh.dimension() == 2) {
+    return orientation_of_doubles<2>(doubles->values(), points);
+  }
+  if (doubles != nullptr && mesh.dimension() == 3) {
+    return orientation_of_doubles<3>(doubles->values(), points);
+  }
+  std::vector<Point> corners;
+  for (const Vertex v : points) corners.push_back(mesh.point(v));
+  const Configuration exact(corners);
+  std::vector<std::size_t> axes(mesh.dimension());
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  return orientation(exact, axes, first_subset(points.size()));
+}
+
+bool is_beyond(const Mesh& mesh, const BareFacet& facet, Vertex point) {
+  const auto side = [&](Vertex v) {
+    Simplex joined = facet.facet;
+    joined.push_back(v);
+    return orientation_in(mesh, joined);
+  };
+  return side(point) * side(facet.apex) < 0;
+}
+
+}  // namespace circumspect::check

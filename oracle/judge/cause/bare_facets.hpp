@@ -1,0 +1,27 @@
+// The facets of a mesh that only one simplex has, and on which side of them points are.
+#pragma once
+
+#include <vector>
+
+#include "kernel/complex/simplex.hpp"
+#include "oracle/model/mesh.hpp"
+
+namespace circumspect::check {
+
+struct BareFacet {
+  Simplex facet;  // ascending
+  Vertex apex;    // of the simplex
+};
+
+// In order of their vertices. None if the mesh has not rows of d + 1 points each, in the plane or in
+// space.
+std::vector<BareFacet> bare_facets(const Mesh& mesh);
+
+// The sign of the determinant of d + 1 points of a mesh in the plane or in space, exactly: by the
+// fast predicates, if its coordinates are doubles.
+int orientation_in(const Mesh& mesh, const Simplex& points);
+
+// Is the point strictly on the other side of the facet than its apex?
+bool is_beyond(const Mesh& mesh, const BareFacet& facet, Vertex point);
+
+}  // namespace circumspect::check

@@ -1,0 +1,68 @@
+#include "oracle/judge/cause/causes.hpp"
+
+#include <algorithm>
+
+#include "oracle/judge/cause/rows.hpp"
+
+namespace circumspect::check {
+namespace {
+
+constexpr std::size_t kMostCauses = 3;
+
+// The rules of which one at least is broken, if the cause can be one.
+struct Row {
+  std::vector<Rule> explains;
+  std::optional<Cause> (*find)(Case&);
+};
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> kRows = {
+      {{Rule::kUnknownVertex}, indices_begin_elsewhere},
+      {{Rule::kWrongDimension, Rule::kUnknownVertex}, last_column_is_a_label},
+      {{Rule::kWrongDimension}, last_coordinate_is_none},
+      {{Rule::kPointsEqual}, equal_points_of_parts},
+      {{Rule::kOrientation, Rule::kInverted}, turned_simplices},
+      {{Rule::kOverlap, Rule::kDegenerateSimplex}, other_points},
+      {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
+        Rule::kUnusedPoint, Rule::kDomainVertexMissing, Rule::kSegmentMissing},
+       missing_simplices},
+      {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
+        Rule::kFacesCross, Rule::kOverlap},
+       crossed_diagonals},
+      {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
+        Rule::kHangingVertex, Rule::kOverlap},
+       hanging_vertices},
+      {{Rule::kOverlap, Rule::kDegenerateSimplex, Rule::kHullNotConvex, Rule::kHullNotClosed,
+        Rule::kCoveredTwice, Rule::kFacetNotLocal, Rule::kVertexInBall},
+       one_vertex},
+  };
+  return kRows;
+}
+
+}  // namespace
+
+Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge) {
+  Causes all;
+  if (verdict.holds()) return all;
+  Case of(verdict, mesh, judge);
+  for (const Row& row : rows()) {
+    const bool is_broken = std::any_of(row.explains.begin(), row.explains.end(),
+                                       [&](Rule rule) { return of.breaks(rule); });
+    if (!is_broken) continue;
+    if (auto cause = row.find(of); cause && cause->explains > 0) {
+      all.found.push_back(std::move(*cause));
+    }
+  }
+  std::stable_sort(all.found.begin(), all.found.end(),
+                   [](const Cause& a, const Cause& b) { return a.explains > b.explains; });
+  // Flat simplices keep the others from being judged, but not by the claim `complex`.
+  const bool is_of_these_points =
+      std::none_of(all.found.begin(), all.found.end(),
+                   [](const Cause& cause) { return cause.name == "points-of-another-mesh"; });
+  if (of.breaks(Rule::kDegenerateSimplex) && is_of_these_points) of.as_complex();
+  if (all.found.size() > kMostCauses) all.found.resize(kMostCauses);
+  all.as_complex = of.take_as_complex();
+  return all;
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,133 @@
+// Lists that were read otherwise than they were meant: indices that begin at another number, and
+// columns that are no indices or no coordinates.
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "oracle/judge/cause/rows.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// A list of indices without some of its columns, each index plus `shift`.
+IndexLists changed(const IndexLists& lists, std::size_t columns, Vertex shift) {
+  return lists.visit([&]<class Lists>(const Lists& rows) -> IndexLists {
+    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+      return {};
+    } else {
+      Lists other(rows.rows(), columns);
+      for (std::size_t i = 0; i < rows.rows(); ++i) {
+        const auto from = rows.row(i);
+        const auto to = other.row(i);
+        for (std::size_t j = 0; j < columns; ++j) {
+          to[j] = static_cast<std::remove_cvref_t<decltype(to[j])>>(from[j] + shift);
+        }
+      }
+      return other;
+    }
+  });
+}
+
+struct Extent {
+  Vertex least = 0, most = 0;
+};
+std::optional<Extent> extent(const IndexLists& lists) {
+  return lists.visit([]<class Lists>(const Lists& rows) -> std::optional<Extent> {
+    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+      return std::nullopt;
+    } else {
+      const auto values = rows.values();
+      if (values.empty()) return std::nullopt;
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      return Extent{static_cast<Vertex>(*least), static_cast<Vertex>(*most)};
+    }
+  });
+}
+
+// Has every simplex, but none of them, the right number of vertices?
+bool all_have_wrong_size(const Case& of) {
+  return of.count(Rule::kWrongDimension) == of.mesh().simplices.size();
+}
+
+template <class Value>
+Rows<Value> without_last_column(const Rows<Value>& rows) {
+  Rows<Value> fewer(rows.rows(), rows.columns() - 1);
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const auto from = rows.row(i);
+    std::copy(from.begin(), from.end() - 1, fewer.row(i).begin());
+  }
+  return fewer;
+}
+
+// Whole numbers, of which many points have the same.
+bool last_coordinates_are_labels(const Mesh& mesh) {
+  constexpr std::size_t kMost = 64;
+  std::set<Rational> labels;
+  for (std::size_t v = 0; v < mesh.points(); ++v) {
+    const Rational last = mesh.point(static_cast<Vertex>(v)).back();
+    if (last.get_den() != 1) return false;
+    labels.insert(last);
+    if (labels.size() > kMost) return false;
+  }
+  return 2 * labels.size() <= mesh.points();
+}
+
+}  // namespace
+
+std::optional<Cause> indices_begin_elsewhere(Case& of) {
+  if (!of.breaks(Rule::kUnknownVertex)) return std::nullopt;
+  const Mesh& mesh = of.mesh();
+  const auto found = extent(mesh.simplices);
+  if (!found) return std::nullopt;
+  const auto last = static_cast<Vertex>(mesh.points());
+  Vertex shift = 0;
+  if (found->least >= 1 && found->most == last) shift = -1;
+  if (found->least == -1 && found->most < last) shift = 1;
+  if (shift == 0) return std::nullopt;
+  const auto mended = of.mended(
+      with_simplices(mesh, changed(mesh.simplices, mesh.simplices.columns(), shift)));
+  if (!mended || mended->explains == 0 || mended->left >= of.violations()) return std::nullopt;
+  const Vertex first = mesh.label(0);
+  return of.cause(
+      "indices-begin-elsewhere",
+      fmt::format("indices seem to begin at {}, not at {}: so read, {}", first - shift, first,
+                  mended->holds ? std::string("the claim holds")
+                                : fmt::format("all name points, and {} violation{} left",
+                                              mended->left, mended->left == 1 ? " is" : "s are")),
+      mended->explains);
+}
+
+std::optional<Cause> last_column_is_a_label(Case& of) {
+  const Mesh& mesh = of.mesh();
+  const std::size_t columns = mesh.simplices.columns();
+  const bool has_one_more = columns == mesh.dimension() + 2;
+  const bool is_wrong = all_have_wrong_size(of) || of.breaks(Rule::kUnknownVertex);
+  if (!has_one_more || !is_wrong) return std::nullopt;
+  const auto mended =
+      of.mended(with_simplices(mesh, changed(mesh.simplices, columns - 1, Vertex{0})));
+  if (!mended || !mended->holds) return std::nullopt;
+  return of.cause("last-column-is-a-label",
+                  "the last column of the simplices is a label: without it, the claim holds",
+                  mended->explains);
+}
+
+std::optional<Cause> last_coordinate_is_none(Case& of) {
+  const Mesh& mesh = of.mesh();
+  const bool has_one_more = mesh.dimension() >= 3 && mesh.simplices.columns() == mesh.dimension();
+  if (!has_one_more || !all_have_wrong_size(of)) return std::nullopt;
+  Mesh fewer = with_simplices(mesh, changed(mesh.simplices, mesh.simplices.columns(), Vertex{0}));
+  fewer.coordinates = std::visit(
+      []<class Value>(const Rows<Value>& rows) -> Numbers { return without_last_column(rows); },
+      mesh.coordinates);
+  const auto mended = of.mended(fewer);
+  if (!mended || !mended->holds) return std::nullopt;
+  const bool are_labels = last_coordinates_are_labels(mesh);
+  return of.cause("last-coordinate-does-not-count",
+                  are_labels
+                      ? "the last column of the points is a label: without it, the claim holds"
+                      : "the last coordinate is a height: seen along that axis, the claim holds",
+                  mended->explains);
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,26 @@
+// The rows of causes.cpp: each finds one cause, checks it, and says it. Nothing if it is not one.
+#pragma once
+
+#include <optional>
+
+#include "oracle/judge/cause/case.hpp"
+
+namespace circumspect::check {
+
+// The mesh is mended, and judged again.
+std::optional<Cause> missing_simplices(Case& of);
+std::optional<Cause> indices_begin_elsewhere(Case& of);
+std::optional<Cause> last_column_is_a_label(Case& of);
+std::optional<Cause> last_coordinate_is_none(Case& of);
+
+// The count is verified.
+std::optional<Cause> one_vertex(Case& of);
+std::optional<Cause> other_points(Case& of);
+std::optional<Cause> turned_simplices(Case& of);
+
+// What the claim `complex` says of the mesh is asked.
+std::optional<Cause> equal_points_of_parts(Case& of);
+std::optional<Cause> hanging_vertices(Case& of);
+std::optional<Cause> crossed_diagonals(Case& of);
+
+}  // namespace circumspect::check
