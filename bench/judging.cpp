@@ -94,7 +94,6 @@ int time_judging(const std::string& wanted) {
   return too_slow;
 }
 
-// ---- What reading alone takes ----
 namespace {
 
 double seconds_of(const timeval& time) {

@@ -13,18 +13,12 @@
 
 namespace circumspect::bench {
 
-// ---- Constructions of what a piecewise linear complex needs ----
-
 // Prints a table of those whose name contains `wanted`; returns how many took longer than they may.
 int time_constrained(const std::string& wanted);
-
-// ---- A harness in process: drawing small inputs and judging answers ----
 
 // Prints a table of those whose name contains `wanted`; returns how many judged fewer cases a
 // second than they must.
 int time_judging(const std::string& wanted);
-
-// ---- Campaigns: what they cost beside the program that they run ----
 
 // A program of points of space: its arguments, with {points} where the path of its .node file is to
 // be, and the name of the mesh that it makes of x.node.
@@ -36,8 +30,6 @@ struct Program {
 // Prints a table of those whose name contains `wanted`; returns how many campaigns took longer than
 // they may. Without the program, a line that says so, and 0.
 int time_campaigns(const std::string& wanted, const Program& program);
-
-// ---- Judging a mesh in arrays, beside what the checks of CGAL and TetGen take ----
 
 // Prints a table of nanoseconds a tetrahedron, if "check" contains `wanted`; "check-large": with
 // 10^7 points too. Only the rows whose names contain `row`. Then the goals, met or missed. Throws
@@ -52,7 +44,6 @@ double seconds(const Work& work) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-// ---- Goals ----
 // What judging a mesh in arrays may cost, and the table that says where that is so.
 
 // Of one mesh. Times are nanoseconds of one thread a simplex; 0 where it was not measured.
@@ -70,7 +61,6 @@ struct Measured {
 // Prints a row for each goal and a column for each mesh that has goals: met, or missed by how much.
 void print_goals(const std::vector<Measured>& meshes);
 
-// ---- Other programs ----
 // Meshes in TetGen's files, and other programs that read them.
 
 // A mesh as circumspect::MeshArrays wants it. Indices from 0, −1 where there is no neighbour.
@@ -97,7 +87,6 @@ void write_mesh(const std::string& stem, const Arrays& mesh);
 // the folder.
 Arrays constrained_mesh(const std::string& folder, int side);
 
-// ---- Constructions that are compared ----
 // The constructions that the benchmarks compare.
 
 struct Algorithm {

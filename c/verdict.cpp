@@ -13,13 +13,16 @@
 #include <circumspect/circumspect.h>
 #include <fmt/format.h>
 
+#include "c/demands.hpp"
 #include "c/guard.hpp"
 #include "c/input.hpp"
+#include "c/kept_verdict.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/judge/cause/causes.hpp"
-#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
@@ -120,40 +123,16 @@ std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const 
   return kept;
 }
 
-circumspect_options asked_of(const circumspect_options* options) {
-  const circumspect_options defaults = CIRCUMSPECT_OPTIONS;
-  if (options == nullptr) return defaults;
-  return of_any_version<circumspect_options>(*options, defaults,
-                                             {offsetof(circumspect_options, with_pictures),
-                                              offsetof(circumspect_options, merge_equal_points)},
-                                             "CIRCUMSPECT_OPTIONS");
-}
-
-check::Options options_of(const circumspect_options& asked) {
-  if (asked.threads < 0 || asked.threads > 4096) {
-    refuse_call(fmt::format("expected 0 to 4096 threads, found {}", asked.threads));
-  }
-  if (asked.max_violations < 0) {
-    refuse_call(fmt::format("expected a number of witnesses, found {}", asked.max_violations));
-  }
-  return {.by = asked.by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
-          .oriented = asked.oriented != 0,
-          .complex = {.oriented = asked.oriented != 0 ? Orientations::kSame : Orientations::kAny},
-          .max_violations = static_cast<std::size_t>(asked.max_violations),
-          .threads = static_cast<unsigned>(asked.threads)};
-}
-
 Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const Domain& domain,
                       const check::Options& options) {
-  const auto distance = read_number(within, NumberReading::kDecimal);
-  if (!distance || sign(*distance) < 0) {
-    refuse_call(fmt::format("expected a distance of at least 0 for `within`, found '{}'",
-                            on_one_line(within)));
-  }
+  const Rational distance = distance_of(within);
   const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
-  auto verdict = check::judge_within(claim, asked.exact, domain, *distance * *distance, options,
-                                     asked.known());
-  if (verdict) return std::move(*verdict);
+  auto verdict =
+      check::judge_within(claim, asked.exact, domain, distance * distance, options, asked.known());
+  if (verdict) {
+    check::judge_quality(mesh, &domain, distance * distance, options, *verdict);
+    return std::move(*verdict);
+  }
   const auto& [reason, is_input_fault] = verdict.error();
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
 }
@@ -177,11 +156,11 @@ Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_
     settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
     return judged_within(asked.within, claim, mesh, *domain, options);
   }
-  if (claim == Claim::kComplex) {
-    const std::string fault = check::fault_of_demands(mesh, options.complex);
-    if (!fault.empty()) refuse_input(fault);
-    // Otherwise equal points break a rule of this claim.
-    if (are_merged) settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
+  const std::string fault = check::fault_of_claim(claim, mesh, options);
+  if (!fault.empty()) refuse_input(fault);
+  // Otherwise equal points break a rule of this claim.
+  if (claim == Claim::kComplex && are_merged) {
+    settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
   }
   auto verdict = check::judge(claim, mesh, domain, options);
   if (verdict) return std::move(*verdict);
@@ -200,9 +179,67 @@ std::vector<Cause> causes_of(const Verdict& verdict, const Mesh& mesh, const Dom
   return check::causes(verdict, mesh, again).found;
 }
 
+QualityDemands quality_of(const circumspect_options& asked) {
+  QualityDemands demands;
+  if (asked.require_count < 0) {
+    refuse_call(fmt::format("expected a number of requirements, found {}", asked.require_count));
+  }
+  for (std::int64_t i = 0; i < asked.require_count; ++i) {
+    const char* const text = required(required(asked.require, "requirements")[i], "a requirement");
+    auto requirement = read_requirement(text);
+    if (!requirement) refuse_call(on_one_line(requirement.error()));
+    demands.requirements.push_back(std::move(*requirement));
+  }
+  if (asked.except_sharp != nullptr) {
+    const auto degrees = read_degrees(asked.except_sharp);
+    if (!degrees) refuse_call(on_one_line(degrees.error()));
+    if (demands.empty()) refuse_call("expected requirements beside `except_sharp`, found none");
+    demands.except_sharp = *degrees;
+  }
+  const std::string fault = contradiction(demands.requirements);
+  if (!fault.empty()) refuse_call(on_one_line(fault));
+  return demands;
+}
+
 int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
 
 }  // namespace
+
+circumspect_options asked_of(const circumspect_options* options) {
+  const circumspect_options defaults = CIRCUMSPECT_OPTIONS;
+  if (options == nullptr) return defaults;
+  return of_any_version<circumspect_options>(
+      *options, defaults,
+      {offsetof(circumspect_options, with_pictures),
+       offsetof(circumspect_options, merge_equal_points), offsetof(circumspect_options, demands),
+       offsetof(circumspect_options, require_count)},
+      "CIRCUMSPECT_OPTIONS");
+}
+
+check::Options options_of(const circumspect_options& asked) {
+  if (asked.threads < 0 || asked.threads > 4096) {
+    refuse_call(fmt::format("expected 0 to 4096 threads, found {}", asked.threads));
+  }
+  if (asked.max_violations < 0) {
+    refuse_call(fmt::format("expected a number of witnesses, found {}", asked.max_violations));
+  }
+  return {.by = asked.by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
+          .oriented = asked.oriented != 0,
+          .complex = {.oriented = asked.oriented != 0 ? Orientations::kSame : Orientations::kAny},
+          .quality = quality_of(asked),
+          .max_violations = static_cast<std::size_t>(asked.max_violations),
+          .threads = static_cast<unsigned>(asked.threads)};
+}
+
+Rational distance_of(const char* within) {
+  const auto distance = read_number(within, NumberReading::kDecimal);
+  if (!distance || sign(*distance) < 0) {
+    refuse_call(fmt::format("expected a distance of at least 0 for `within`, found '{}'",
+                            on_one_line(within)));
+  }
+  return *distance;
+}
+
 }  // namespace circumspect::c
 
 using namespace circumspect;
@@ -219,6 +256,37 @@ struct circumspect_verdict {
   std::vector<std::string> notes = {};
 };
 
+circumspect_verdict* c::kept_verdict(const Verdict& found, const Mesh& mesh, const Domain* domain,
+                                     const circumspect_options& asked, check::By by,
+                                     std::vector<std::string> notes) {
+  auto made = std::make_unique<circumspect_verdict>();
+  made->notes = std::move(notes);
+  const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
+  made->holds = found.holds();
+  made->unique = said(found.unique);
+  made->canonical = said(found.canonical);
+  made->text = report::explanation(found, mesh, domain) +
+               report::verdict_line(found, mesh, name, domain) + "\n";
+  if (asked.without_json == 0 || asked.with_pictures != 0) {
+    require_memory_for_json();
+    report::Json result = report::verdict(found, mesh, name, by, domain);
+    if (!made->notes.empty()) result["notes"] = made->notes;
+    if (asked.without_json == 0) {
+      made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
+    }
+    if (asked.with_pictures != 0) {
+      made->page.emplace().add(found, mesh, name, std::move(result), domain, made->notes);
+    }
+  }
+  for (const auto& [rule, tally] : found.tallies()) {
+    made->rules.emplace_back(identifier(rule).data(), static_cast<std::int64_t>(tally.count));
+  }
+  for (const Violation& violation : found.violations()) {
+    made->violations.push_back(kept_violation(violation, mesh));
+  }
+  return made.release();
+}
+
 circumspect_status circumspect_check(const char* claim, const circumspect_mesh* mesh,
                                      const circumspect_domain* domain,
                                      const circumspect_options* options,
@@ -228,7 +296,8 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     c::required(verdict, "a place for the verdict");
     const Claim known = c::claim_of(claim, domain != nullptr);
     const circumspect_options asked = c::asked_of(options);
-    const check::Options own = c::options_of(asked);
+    check::Options own = c::options_of(asked);
+    c::set_demands(asked.demands, known, own);
     Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
     if (asked.allow_empty == 0) {
       c::refuse_empty(judged, "; to judge an empty mesh, set allow_empty");
@@ -242,34 +311,13 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
                         about->complex.ambient_dimension(), judged.dimension()));
       }
     }
+    const std::string unmeasured = check::fault_of_quality(judged, own.quality);
+    if (!unmeasured.empty()) c::refuse_call(unmeasured);
     const Domain* const filled = about ? &*about : nullptr;
-    auto made = std::make_unique<circumspect_verdict>();
-    Verdict found = c::judged(known, judged, filled, asked, own, made->notes);
+    std::vector<std::string> notes;
+    Verdict found = c::judged(known, judged, filled, asked, own, notes);
     if (asked.within == nullptr) found.causes = c::causes_of(found, judged, filled, own);
-    const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
-    made->holds = found.holds();
-    made->unique = c::said(found.unique);
-    made->canonical = c::said(found.canonical);
-    made->text = report::explanation(found, judged, filled) +
-                 report::verdict_line(found, judged, name, filled) + "\n";
-    if (asked.without_json == 0 || asked.with_pictures != 0) {
-      c::require_memory_for_json();
-      report::Json result = report::verdict(found, judged, name, own.by, filled);
-      if (!made->notes.empty()) result["notes"] = made->notes;
-      if (asked.without_json == 0) {
-        made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
-      }
-      if (asked.with_pictures != 0) {
-        made->page.emplace().add(found, judged, name, std::move(result), filled, made->notes);
-      }
-    }
-    for (const auto& [rule, tally] : found.tallies()) {
-      made->rules.emplace_back(identifier(rule).data(), static_cast<std::int64_t>(tally.count));
-    }
-    for (const Violation& violation : found.violations()) {
-      made->violations.push_back(c::kept_violation(violation, judged));
-    }
-    *verdict = made.release();
+    *verdict = c::kept_verdict(found, judged, filled, asked, own.by, std::move(notes));
   });
 }
 

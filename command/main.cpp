@@ -25,7 +25,7 @@
 #include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
-#include "reference/existence/existence.hpp"
+#include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
 // command/CMakeLists.txt writes both: a commit or "unknown", and libraries.

@@ -25,6 +25,7 @@ void add_command_pages(CLI::App& app, ExitCode& exit_code);
 
 // Subcommands of build.
 void add_build_subdivision(CLI::App& build, ExitCode& exit_code);
+void add_build_voronoi(CLI::App& build, ExitCode& exit_code);
 void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code);
 void add_build_constrained(CLI::App& build, ExitCode& exit_code);
 

@@ -12,7 +12,6 @@
 
 namespace circumspect::corpus {
 
-// ---- By definition ----
 // Judges the meshes of the corpus from the definitions, those with many simplices left out: the
 // time grows with the square of their number. `make test`, which tries a quarter of all inputs,
 // leaves out more.
@@ -49,7 +48,6 @@ TEST_CASE("by definition, each small mesh of a domain holds or fails as its tabl
   CHECK(judged > 150);
 }
 
-// ---- Certificates ----
 // What proves each verdict of expected.tsv, held against proofs/CERTIFICATE.md.
 
 namespace {
@@ -104,7 +102,6 @@ TEST_CASE("each verdict in the plane and in space has a certificate or a refutat
   }
 }
 
-// ---- Facts of simplices ----
 // The meshes of domains/, judged with what the fast judge knows of their simplices and without: the
 // same word for word.
 

@@ -8,6 +8,7 @@
 
 #include "corpus/domain_table.hpp"
 #include "corpus/expected_table.hpp"
+#include "corpus/voronoi_table.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
 #include "oracle/judge/judge.hpp"
@@ -80,6 +81,9 @@ TEST_CASE("there is a mesh in reject/ for every rule") {
   for (const DomainRow& row : domain_rows()) {
     if (row.mesh.starts_with("reject/")) covered.insert(row.broken.begin(), row.broken.end());
   }
+  for (const VoronoiRow& row : voronoi_rows()) {
+    covered.insert(row.broken.begin(), row.broken.end());
+  }
   for (const RuleEntry& entry : rules()) {
     CHECK_MESSAGE(covered.contains(std::string(entry.identifier)), entry.identifier);
   }
@@ -104,7 +108,6 @@ TEST_CASE("expected.tsv and the meshes on disk are the same set") {
   for (const std::string& path : listed) CHECK_MESSAGE(on_disk.contains(path), path);
 }
 
-// ---- Arrays ----
 // The meshes of the corpus as arrays: whatever the checkers say of the files, `judge` says of the
 // arrays.
 
@@ -128,7 +131,6 @@ TEST_CASE("arrays are judged as files are, and by the fast judge wherever they h
   CHECK(rejected > 100 / kOneRowIn);
 }
 
-// ---- The one judge ----
 // The one judge and the exact checkers alone give the same verdict, word for word, on every mesh of
 // the corpus that has its points beside it. The fast engine decides it wherever the claim holds or
 // only facets are not locally Delaunay.

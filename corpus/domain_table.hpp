@@ -12,6 +12,7 @@
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 
 namespace circumspect::corpus {

@@ -51,6 +51,11 @@ inline Row row_of(const std::string& line) {
     if (word == "--closed") row.options.complex.closed = true;
     if (word == "hanging-vertex") row.options.complex.allow_hanging = true;
     if (word == "--allow-unused") row.options.complex.allow_unused = true;
+    if (const auto required = read_requirement(word)) {
+      row.options.quality.requirements.push_back(*required);
+    }
+    if (word == "--all-boundary-points") row.options.hull.all_boundary_points = true;
+    if (word == "--only-extreme") row.options.hull.only_extreme = true;
     if (word == "--neighbors") row.with_neighbors = true;
     if (word == "definition") row.options.by = check::By::kDefinition;
   }
@@ -80,8 +85,9 @@ inline Mesh read_mesh_of(const Row& row) {
   return std::move(file->mesh);
 }
 
-// Of a mesh alone the points may be equal, which they may not in an exact mesh.
-inline bool is_of_a_mesh_alone(const Row& row) { return row.claim == Claim::kComplex; }
+// Is it of a mesh by itself, which need not be one of full dimension? Its points may be equal,
+// which they may not in an exact mesh.
+inline bool is_of_a_mesh_alone(const Row& row) { return is_about_a_list(row.claim); }
 
 inline ExactMesh mesh_of(const Row& row) { return exact(read_mesh_of(row)); }
 

@@ -2,6 +2,7 @@
 // breaks the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs
 // them.
 #include <filesystem>
+#include <optional>
 
 #include <circumspect/judgement.hpp>
 #include <doctest/doctest.h>
@@ -40,7 +41,14 @@ std::vector<FindingRow> finding_rows() {
   return rows;
 }
 
-bool is_about_points(const FindingRow& row) { return row.claim.at(0) == name(Claim::kDelaunay); }
+// The claim about points; none if it is about a domain.
+std::optional<Claim> claim_about_points(const FindingRow& row) {
+  for (const Claim claim : {Claim::kDelaunay, Claim::kConvexHull}) {
+    if (row.claim.at(0) == name(claim)) return claim;
+  }
+  return std::nullopt;
+}
+bool is_about_points(const FindingRow& row) { return claim_about_points(row).has_value(); }
 
 formats::RawPoints points_of(const FindingRow& row) {
   auto raw = formats::read_points(row.input, NumberReading::kDouble);
@@ -55,13 +63,13 @@ std::string first_rule(const Verdict& verdict) {
 
 // A program that writes indices alone means the points that it read.
 std::string rule_of_points(const FindingRow& row) {
-  const auto points = generators::array({points_of(row).points.points, {}});
+  const auto points = generators::array({points_of(row).points.points.points(), {}});
   auto raw = formats::read_mesh({.mesh = row.mesh, .points = row.input});
   if (!raw) return raw.error().to_string();
   const std::vector<Simplex> simplices = raw->mesh.simplices.lists();
   const ExactMesh mesh =
       arrays::exact_mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
-  return first_rule(check::judge_points(Claim::kDelaunay, mesh, {.max_violations = 1}));
+  return first_rule(check::judge_points(*claim_about_points(row), mesh, {.max_violations = 1}));
 }
 
 std::string rule_of_domain(const FindingRow& row) {

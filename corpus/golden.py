@@ -58,6 +58,8 @@ def command_lines():
         lines += in_both_formats(f"check {mesh} --claim {claim}")
     for mesh, domain, claim, _ in (row[:4] for row in rows("domains/expected.tsv")):
         lines += in_both_formats(f"check domains/{mesh} --domain domains/{domain} --claim {claim}")
+    for cells, sites, options, _, _ in rows("voronoi/expected.tsv"):
+        lines += in_both_formats(f"check voronoi/{cells} --points voronoi/{sites} --claim voronoi {options}".strip())
     for row in rows("findings/expected.tsv"):
         (claim, *kind), points, mesh = row[1].split(), row[3], row[4]
         if mesh == "-":

@@ -30,7 +30,7 @@ RUN_COLUMNS = ("target", "dimension", "regime", "date", "seconds", "cases", "hol
 # anything scaled.
 FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
 # All others are about domains.
-POINT_CLAIMS = {"delaunay", "triangulation"}
+POINT_CLAIMS = {"delaunay", "triangulation", "convex-hull"}
 # These reserve much address space.
 VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
 # Points of which some are flat or cospherical up to this share of their extent and not exactly, or
@@ -90,7 +90,7 @@ def answer_once(row, builds, path, others=None):
         return 128 - ended.returncode if ended.returncode < 0 else ended.returncode or int(bool(points))
     rows = ended.stdout.splitlines()
     numbered = [f"{i} {row}" for i, row in enumerate(rows[1:1 + int(rows[0])])]
-    path.with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(points[0]) + 1} 0", *numbered]) + "\n")
+    path.with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(numbered[0].split()) - 1 if numbered else len(points[0]) + 1} 0", *numbered]) + "\n")
     return 0
 
 

@@ -5,6 +5,8 @@ import { pathToFileURL } from 'node:url';
 
 const require = createRequire(process.env.BUILDS + '/npm/x.js');
 export const load = name => import(pathToFileURL(require.resolve(name)));
+/** A module that a package lets nobody `require`, by its file. */
+export const loadFile = file => import(pathToFileURL(process.env.BUILDS + '/npm/node_modules/' + file));
 
 /** From a point that a library returns back to its index; it has to be the same two or three doubles. */
 export const indices = points => {
@@ -13,6 +15,8 @@ export const indices = points => {
 };
 /** [a, b, c, d, e, f] → [[a, b, c], [d, e, f]] */
 export const threes = flat => Array.from({ length: flat.length / 3 }, (_, i) => Array.from(flat.slice(3 * i, 3 * i + 3)));
+/** [a, b, c] → [[a, b], [b, c], [c, a]]: the edges of a hull in the plane, of which a library returns the vertices. */
+export const edges = cycle => cycle.map((v, i) => [v, cycle[(i + 1) % cycle.length]]);
 
 /** `triangulate` is given points, and returns rows of indices. What it throws ends the process with exit code 1. */
 export const serve = triangulate => answerAll(triangulate, (_, rows) => [rows.length, ...rows]);

@@ -28,6 +28,9 @@ WORDS = {"triangulation.unused-point": "A point is a vertex of no {simplex}.",
          "complex.facet-overused": "More than two simplices share a facet.",
          "complex.duplicate-simplex": "The same {simplex} is listed twice.",
          "simplex.repeated-vertex": "A {simplex} names the same vertex twice.",
+         "hull.facet-not-supporting": "Points lie on both sides of a facet of the hull.",
+         "hull.uncovered": "Part of the boundary of the hull is covered by no facet.",
+         "simplex.wrong-dimension": "A facet has another number of vertices than a simplex.",
          "hang": "There is no answer in time."}
 
 

@@ -15,7 +15,7 @@ using Ends = std::pair<Point, Point>;
 
 // The cross product in space; in the plane, the single number that replaces it.
 Point normal_of(const Point& a, const Point& b) {
-  return a.size() == 3 ? cross_product(a, b) : Point{a[0] * b[1] - a[1] * b[0]};
+  return a.size() == 3 ? cross_product(a, b) : Point{cross_product(a, b, 0, 1)};
 }
 
 // Does p lie inside the segment? Points of a line are in lexicographic order along it.

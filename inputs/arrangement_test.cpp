@@ -70,8 +70,6 @@ TEST_CASE("segments that are parallel or do not reach each other share nothing")
   CHECK(apart.segments.size() == 3);
 }
 
-// ---- In space ----
-
 // The vertices of a tetrahedron.
 const std::vector<Point> kCorners = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
 

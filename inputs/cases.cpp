@@ -9,7 +9,6 @@
 
 namespace circumspect::generators {
 
-// ---- Point sets ----
 PointsCase chosen(const PointsCase& set, const std::vector<std::size_t>& places) {
   PointsCase part;
   for (const std::size_t v : places) {
@@ -55,7 +54,6 @@ PointsCase from(const PointArray& points) {
   return set;
 }
 
-// ---- Complexes ----
 namespace {
 
 void print_line(std::ostream& out, const std::vector<Vertex>& line) {

@@ -13,7 +13,6 @@
 
 namespace circumspect::generators {
 
-// ---- Point sets ----
 // A generated point set, printed so that a failing case can be pasted into a file.
 
 struct PointsCase {
@@ -27,7 +26,6 @@ PointsCase chosen(const PointsCase& set, const std::vector<std::size_t>& places)
 // As a `.node` file with exact rationals; the weights are its attribute.
 std::ostream& operator<<(std::ostream& out, const PointsCase& set);
 
-// ---- As arrays ----
 // Generated sets as arrays of doubles, for programs under test, and back.
 
 // Each number rounded to the nearest double: call in_doubles first, so that what the program sees
@@ -38,7 +36,6 @@ PointArray array(const PointsCase& set, std::size_t dimension = 3);
 // dimension; weights are none or one a point.
 PointsCase from(const PointArray& points);
 
-// ---- Complexes ----
 // A generated piecewise linear complex, printed so that a failing case can be pasted into a file.
 
 // A valid input and the family it comes from.

@@ -3,16 +3,12 @@
 #include "inputs/families.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 #include <set>
 #include <sstream>
 
 #include <doctest/doctest.h>
 
-#include "inputs/arrangement.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/complex_families.hpp"
 #include "inputs/dice.hpp"
@@ -22,7 +18,6 @@
 #include "properties/arguments/generated.hpp"
 
 namespace circumspect::generators {
-
 namespace {
 
 constexpr std::size_t kPoints = 12;
@@ -211,187 +206,4 @@ TEST_CASE("in_doubles: every number a double, and arrays there and back") {
 }
 
 }  // namespace
-
-// ---- Families of complexes ----
-namespace {
-
-std::string text(const ComplexCase& made) {
-  std::ostringstream out;
-  out << made;
-  return out.str();
-}
-
-TEST_CASE("families of domains: valid, of their dimension, also in doubles, the same for a seed") {
-  for (const ComplexFamily& family : complex_families()) {
-    CAPTURE(family.name);
-    std::set<std::string> different;
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
-      CAPTURE(seed);
-      const ComplexCase made = drawn(family, 10, seed);
-      CHECK(validated(made.input, 1));
-      const ComplexCase rounded = in_doubles(made);
-      CHECK(rounded.input.points == made.input.points);
-      CHECK(validated(rounded.input, 1));
-      for (const Point& point : made.input.points) CHECK(point.size() == family.dimension);
-      CHECK(text(made) == text(drawn(family, 10, seed)));
-      different.insert(text(made));
-    }
-    CHECK(different.size() >= 4);
-  }
-}
-
-TEST_CASE("modifiers of domains: valid, of doubles, and mostly another domain") {
-  std::size_t changed = 0, rounded_turns = 0, all = 0;
-  for (const ComplexModifier& modifier : complex_modifiers()) {
-    for (const ComplexFamily& plain : complex_families()) {
-      const ComplexFamily family = modified(plain, modifier);
-      CAPTURE(family.name);
-      for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        const ComplexCase made = drawn(family, 10, seed);
-        CHECK(made.family == family.name);
-        CHECK(validated(made.input, 1));
-        CHECK(in_doubles(made).input.points == made.input.points);
-        ++all;
-        const bool is_another = made.input.points != drawn(plain, 10, seed).input.points;
-        if (is_another) ++changed;
-        const auto is_whole = [](const Point& point) {
-          return std::all_of(point.begin(), point.end(),
-                             [](const Rational& x) { return x.get_den() == 1; });
-        };
-        if (modifier.name == "rotated" &&
-            !std::all_of(made.input.points.begin(), made.input.points.end(), is_whole)) {
-          ++rounded_turns;
-        }
-      }
-    }
-  }
-  CHECK(4 * changed > 3 * all);
-  CHECK(rounded_turns > 3);
-}
-
-TEST_CASE("families of domains: what they are named for occurs") {
-  std::size_t holes = 0, cavities = 0, slits = 0, lone_segments = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    for (const ComplexFamily& family : complex_families()) {
-      if (family.name != "furnished-boxes" && family.name != "named-complexes") continue;
-      const PiecewiseLinearInput input = drawn(family, 10, seed).input;
-      for (const PolygonLines& polygon : input.polygons) {
-        if (!polygon.hole_seeds.empty()) ++holes;
-        if (polygon.lines.size() > 1) ++slits;
-      }
-      if (!input.hole_seeds.empty()) ++cavities;
-      if (!input.segments.empty()) ++lone_segments;
-    }
-  }
-  CHECK(holes > 0);
-  CHECK(cavities > 0);
-  CHECK(slits > 0);
-  CHECK(lone_segments > 0);
-}
-
-}  // namespace
-
-// ---- Untidy domains ----
-namespace {
-
-ComplexCase notched_square() {
-  ComplexCase whole;
-  whole.input.points = {{0, 0}, {8, 0}, {8, 8}, {4, 4}, {0, 8}};
-  whole.input.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}};
-  return whole;
-}
-
-// The first thing that is wrong with it; nothing if it is valid.
-std::optional<BreachKind> breach(const PiecewiseLinearInput& input) {
-  const auto valid = validated(input, 1);
-  return valid ? std::nullopt : std::optional(valid.error().front().kind);
-}
-
-TEST_CASE("each kind of untidiness is what it says, and its arrangement is valid and of doubles") {
-  const std::map<Untidiness, std::set<BreachKind>> expected = {
-      {Untidiness::kTouching, {BreachKind::kVertexInSegment}},
-      {Untidiness::kCrossing, {BreachKind::kVertexInSegment, BreachKind::kCrossingSegments}},
-      {Untidiness::kOverlapping, {BreachKind::kVertexInSegment, BreachKind::kDuplicateVertex}},
-      {Untidiness::kRepetition, {BreachKind::kDuplicateVertex}}};
-  for (const auto& [untidiness, breaches] : expected) {
-    const Untidiness kind = untidiness;
-    std::set<BreachKind> met;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      Dice dice(seed);
-      const ComplexCase untidy = untidied(dice, notched_square(), {kind});
-      CHECK(!breach(arranged(untidy.input)));
-      if (const auto found = breach(untidy.input)) met.insert(*found);
-    }
-    CAPTURE(name(kind));
-    for (const BreachKind one : breaches) CHECK(met.count(one) == 1);
-  }
-}
-
-TEST_CASE("in space: each kind of untidiness, and an arrangement that is valid and of doubles") {
-  const std::map<Untidiness, std::set<BreachKind>> expected = {
-      {Untidiness::kTouching, {BreachKind::kVertexInSegment}},
-      {Untidiness::kCrossing, {BreachKind::kCrossingSegments, BreachKind::kSegmentPiercesPolygon}},
-      {Untidiness::kOverlapping, {BreachKind::kVertexInSegment, BreachKind::kDuplicateVertex}},
-      {Untidiness::kRepetition, {BreachKind::kDuplicateVertex}}};
-  // A tetrahedron with a slit in its floor.
-  ComplexCase whole;
-  whole.input.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {1, 1, 0}, {2, 1, 0}};
-  whole.input.polygons = {
-      {{{0, 1, 2}, {4, 5}}, {}}, {{{0, 1, 3}}, {}}, {{{0, 2, 3}}, {}}, {{{1, 2, 3}}, {}}};
-  for (const auto& [untidiness, breaches] : expected) {
-    const Untidiness kind = untidiness;
-    std::set<BreachKind> met;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      Dice dice(seed);
-      const ComplexCase untidy = untidied(dice, whole, {kind});
-      CHECK(untidy.input.polygons.size() == 4);
-      const PiecewiseLinearInput tidy = arranged(untidy.input);
-      CHECK(!breach(tidy));
-      for (const Point& point : tidy.points)
-        CHECK(std::all_of(point.begin(), point.end(), is_double));
-      if (const auto found = breach(untidy.input)) met.insert(*found);
-    }
-    CAPTURE(name(kind));
-    for (const BreachKind one : breaches) CHECK(met.count(one) == 1);
-  }
-}
-
-TEST_CASE("a domain without segments stays as it is") {
-  ComplexCase whole;
-  whole.input.points = {{0, 0}, {1, 0}};
-  Dice dice(1);
-  CHECK(untidied(dice, whole, {Untidiness::kCrossing}).input.points.size() == 2);
-}
-
-}  // namespace
-
-// ---- Dice ----
-// The guarantees of a seed: the same numbers on every machine, all equally likely.
-
-namespace {
-
-TEST_CASE("dice: splitmix64, by the numbers that its authors' program prints") {
-  Dice dice(1234567);
-  for (const std::uint64_t bits : {6457827717110365317U, 3203168211198807973U, 9817491932198370423U,
-                                   4593380528125082431U, 16408922859458223821U}) {
-    CHECK(dice.bits() == bits);
-  }
-}
-
-TEST_CASE("dice: all numbers of a range, all equally often, whatever its length") {
-  Dice dice(7);
-  std::array<int, 11> often{};
-  for (int i = 0; i < 11'000; ++i) ++often[static_cast<std::size_t>(dice.within(-5, 5) + 5)];
-  for (const int times : often) CHECK(std::abs(times - 1000) < 150);
-  // For a count of three quarters of 2^64, remainders would make the lowest third twice as likely.
-  const std::size_t count = std::size_t{3} << 62;
-  int low = 0;
-  for (int i = 0; i < 9'000; ++i) low += dice.below(count) < (std::size_t{1} << 62) ? 1 : 0;
-  CHECK(std::abs(low - 3000) < 200);
-  CHECK(dice.below(1) == 0);
-  CHECK(dice.within(3L, 3L) == 3);
-}
-
-}  // namespace
-
 }  // namespace circumspect::generators

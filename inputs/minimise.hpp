@@ -45,7 +45,6 @@ ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fa
 UpdatesCase minimised(UpdatesCase whole, const StillFails<UpdatesCase>& still_fails,
                       const MinimiseLimits& limits = {});
 
-// ---- Shorter numbers ----
 // Simpler coordinates, with fewer digits.
 
 // The length of the number in bits; a sign counts as half a bit more. Returned in half bits.

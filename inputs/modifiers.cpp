@@ -95,8 +95,6 @@ PointsCase with_distinct_points(PointsCase set, bool may_repeat_points) {
 
 }  // namespace
 
-// ---- Domains ----
-
 namespace {
 
 bool is_valid_in_doubles(const ComplexCase& whole) {

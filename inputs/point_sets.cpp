@@ -222,7 +222,6 @@ PointsCase duplicate_points(Dice& dice, std::size_t dimension, Count count) {
   return set;
 }
 
-// ---- Flat and scaled sets ----
 namespace {
 
 std::vector<Point> scaled_integers(Dice& dice, std::size_t dimension, Count count, long exponent) {

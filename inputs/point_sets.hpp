@@ -68,7 +68,6 @@ std::vector<Point> skew_line_points(Dice& dice, std::size_t dimension, Count cou
 // every pair an edge (Book: Section 4.1, the cyclic polytope's bound).
 std::vector<Point> moment_curve_points(Dice& dice, std::size_t dimension, Count count);
 
-// ---- Weighted sets ----
 // Weighted point sets, and sets with equal points. Book: Section 5.2, weighted Delaunay
 // triangulations.
 
@@ -88,7 +87,6 @@ PointsCase submerged_points(Dice& dice, std::size_t dimension, Count count);
 // there is always a duplicate. Programs should name the duplicates, or merge them.
 PointsCase duplicate_points(Dice& dice, std::size_t dimension, Count count);
 
-// ---- Flat and scaled sets ----
 // Point sets that lie in flats or near them, in clusters, or at odd scales.
 // As in point_sets.hpp: distinct points, as many as `count` says.
 

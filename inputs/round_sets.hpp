@@ -33,7 +33,6 @@ std::vector<Point> polytope_points(Dice& dice, std::size_t dimension, Count coun
 // Requires: dimension == 3.
 std::vector<Point> twisted_prism_points(Dice& dice, std::size_t dimension, Count count);
 
-// ---- Lattices ----
 // Parts of lattices: periodic sets, whose Delaunay subdivisions repeat one degenerate cell or a few
 // (Book: Section 4.2). As in point_sets.hpp: distinct points, as many as `count` says.
 

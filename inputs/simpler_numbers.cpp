@@ -67,14 +67,9 @@ PointsCase scaled(PointsCase set, long k, bool on_grid) {
 PointsCase divided(PointsCase set) {
   Integer divisor = 0;
   Integer multiple = 1;
+  for (const Point& point : set.points) multiple = common_denominator(point, multiple);
   for (const Point& point : set.points) {
-    for (const Rational& x : point) multiple = least_common_multiple(multiple, x.get_den());
-  }
-  for (const Point& point : set.points) {
-    for (const Rational& x : point) {
-      const Rational scaled_up = x * multiple;
-      divisor = gcd(divisor, scaled_up.get_num());
-    }
+    for (const Rational& x : point) divisor = gcd(divisor, numerator_over(multiple, x));
   }
   if (divisor == 0) return set;
   const Rational factor = Rational(multiple) / divisor;

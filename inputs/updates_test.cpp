@@ -108,8 +108,6 @@ TEST_CASE("of many updates those are left that do it") {
   CHECK(small.updates == std::vector<Update>{{UpdateKind::kDelete, 0}, {UpdateKind::kInsert, 1}});
 }
 
-// ---- Relations ----
-
 TEST_CASE("each relation changes the points exactly, and as it says") {
   const PointsCase set = {{{1, 0}, {Rational(5, 4), 3}, {-2, 7}, {8, 9}}, {1, 2, 3, 4}};
   const PointsCase other = *image(Relation::kOrder, set);

@@ -1,15 +1,21 @@
 (** * What the main theorems rest on: the output is compared with assumptions.expected *)
 From Circumspect Require Import MainTheorems BookTheorems.
 
-(* Everything that MainTheorems.v and BookTheorems.v state, as one term: so its assumptions are those
-   of all. *)
-Definition everything := (@verified, @verified_packed, @verified_not, @verified_rule, @verified_domain, @verified_complex,
-  @verified_not_domain, @verified_domain_rule, @verified_not_whole_domain, @verified_whole_domain_rule,
+(* Everything that MainTheorems.v and BookTheorems.v state, as one term: so its assumptions are
+   those of all. *)
+Definition everything := (@verified, @verified_packed, @verified_not, @verified_rule,
+  @verified_domain, @verified_complex,
+  @verified_not_domain, @verified_domain_rule, @verified_not_whole_domain,
+    @verified_whole_domain_rule,
   @rules_of_points, @rules_of_domains, @rules_of_whole_domains, @verified_impossible,
-  @verified_unique, @verified_canonical, @verified_generic,
+  @verified_unique, @verified_canonical, @verified_generic, @verified_any_order,
+  @verified_mesh_alone, @verified_not_complex, @rules_of_complexes, @built_delaunay, @built_always,
   @verified_complete, @certificate_exists,
-  @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical, @canonical_once,
+  @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical,
+    @canonical_once,
   @perturbation_sound, @one_interpolation_error, @proposition_4_5, @proposition_4_5_heights,
   @proposition_4_5_norms,
-  @one_min_containment_ball, @proposition_4_6, @proposition_4_7, @constrained_delaunay_lemma, @proposition_4_11_at_edges, @proposition_4_12, @proposition_4_13, @proposition_4_13_balls, @conv_halfspaces).
+  @one_min_containment_ball, @proposition_4_6, @proposition_4_7, @constrained_delaunay_lemma,
+    @proposition_4_11_at_edges, @proposition_4_12, @proposition_4_13, @proposition_4_13_balls,
+    @conv_halfspaces).
 Print Assumptions everything.

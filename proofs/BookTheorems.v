@@ -118,10 +118,22 @@ Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
     exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
 Proof. apply Optimality.proposition_4_7. Qed.
 
-(** Lemma 4.10, the Constrained Delaunay Lemma, of what walls enclose: the three statements are equivalent.  The vertices [V] are those
-    of the mesh; of a triangulation without Steiner points they are those of the domain.  ([solid]: nothing dangles.  The domain need not be
-    a piecewise linear complex.) *)
-Theorem constrained_delaunay_lemma P (T : list (simplex d)) V : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Enclosed ->
+(** Section 4.5.3: *A three-dimensional PLC is edge-protected if every edge in it is strongly
+    Delaunay.* Theorem 4.9, the CDT Theorem: *every edge-protected PLC has a CDT.*  This is what it
+    says here.  It is not proved, and nothing rests on it; README.md, "Theorem 4.9", says which
+    lemma is missing. *)
+Definition edge_protected (P : domain 3) : Prop :=
+  forall p q, In (p, q) (domain_segments P) -> strongly_delaunay (domain_vertices P) [p; q].
+Definition theorem_4_9 : Prop := forall P : domain 3, proper_domain P ->
+  what_it_fills P = Enclosed ->
+  piecewise_linear_complex P -> edge_protected P -> exists K, cdt P K.
+
+(** Lemma 4.10, the Constrained Delaunay Lemma, of what walls enclose: the three statements are
+    equivalent.  The vertices [V] are those of the mesh; of a triangulation without Steiner points
+    they are those of the domain.  ([solid]: nothing dangles.  The domain need not be a piecewise
+    linear complex.) *)
+Theorem constrained_delaunay_lemma P (T : list (simplex d)) V : (2 <= d)%nat -> proper_domain P ->
+  what_it_fills P = Enclosed ->
   steiner_triangulation P T -> solid T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   ((forall t, In t T -> constrained_delaunay V P t) <->
    (forall f, facet T f -> in_no_wall P f -> constrained_delaunay V P f)) /\
@@ -135,11 +147,13 @@ Proof.
   pose proof (ConstrainedLemma.facets_local D P T V Pr St Ve) as E. split; split; auto.
 Qed.
 
-(** Proposition 4.11, at an edge: let two triangles [a; b; v1] and [a; b; v2] of a CDT of a piecewise linear complex be in one of its
-    polygons, and their common edge in no segment.  Then an open circumball of the
-    first does not contain v2, so none does: in the plane of the triangle all have the same part.  (That this local property makes
-    the triangles in a polygon constrained Delaunay in its plane is Lemma 4.10 there, and is not stated.) *)
-Theorem proposition_4_11_at_edges (P : domain 3) (T : list (simplex 3)) V f a b v1 v2 : proper_domain P -> piecewise_linear_complex P ->
+(** Proposition 4.11, at an edge: let two triangles [a; b; v1] and [a; b; v2] of a CDT of a
+    piecewise linear complex be in one of its polygons, and their common edge in no segment.  Then
+    an open circumball of the first does not contain v2, so none does: in the plane of the triangle
+    all have the same part.  (That this local property makes the triangles in a polygon constrained
+    Delaunay in its plane is Lemma 4.10 there, and is not stated.) *)
+Theorem proposition_4_11_at_edges (P : domain 3) (T : list (simplex 3)) V f a b v1 v2 :
+  proper_domain P -> piecewise_linear_complex P ->
   steiner_triangulation P T -> solid T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   (forall t, In t T -> constrained_delaunay V P t) -> In f (domain_polygons P) ->
   (forall p q, In (p, q) (domain_segments P) -> ~ within (conv [a; b]) (conv [p; q])) ->
@@ -147,30 +161,39 @@ Theorem proposition_4_11_at_edges (P : domain 3) (T : list (simplex 3)) V f a b 
   faces_of T [a; b; v2] -> within (conv [a; b; v2]) (polygon_points f) ->
   exists c r2, circumball [a; b; v1] c r2 /\ ~ dist2 c v2 < r2.
 Proof.
-  intros Pr Plc St So. apply PolygonEdges.polygon_edge_local; try assumption. now apply Solid.solid_steiner.
+  intros Pr Plc St So. apply PolygonEdges.polygon_edge_local; try assumption.
+  now apply Solid.solid_steiner.
 Qed.
 
-(** Proposition 4.12: a generic domain has at most one constrained Delaunay triangulation, of those in which nothing dangles. *)
-Theorem proposition_4_12 P (T U : list (simplex d)) : (2 <= d)%nat -> proper_domain P -> generic (domain_vertices P) ->
+(** Proposition 4.12: a generic domain has at most one constrained Delaunay triangulation, of those
+    in which nothing dangles. *)
+Theorem proposition_4_12 P (T U : list (simplex d)) : (2 <= d)%nat -> proper_domain P ->
+  generic (domain_vertices P) ->
   cdt P T -> solid T -> cdt P U -> solid U -> same_simplices T U.
 Proof.
-  intros D Pr G CT ST CU SU. apply (ConstrainedOptimality.proposition_4_12 D P Pr T U G); now apply Solid.solid_cdts.
+  intros D Pr G CT ST CU SU. apply (ConstrainedOptimality.proposition_4_12 D P Pr T U G);
+    now apply Solid.solid_cdts.
 Qed.
 
-(** Proposition 4.13, of the criteria of Propositions 4.5 and 4.7: among all triangulations of the domain (in none of which anything dangles) a CDT has at every point
-    the least interpolation error, *)
+(** Proposition 4.13, of the criteria of Propositions 4.5 and 4.7: among all triangulations of the
+    domain (in none of which anything dangles) a CDT has at every point the least interpolation
+    error, *)
 Theorem proposition_4_13 P (T U : list (simplex d)) p e e' : (2 <= d)%nat -> proper_domain P ->
   cdt P T -> solid T -> plc_triangulation P U -> solid U ->
   interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> e <= e'.
 Proof.
-  intros D Pr CT ST PU SU. apply (ConstrainedOptimality.proposition_4_13_error D P Pr); [now apply Solid.solid_cdts|now apply Solid.solid_plc].
+  intros D Pr CT ST PU SU. apply (ConstrainedOptimality.proposition_4_13_error D P Pr);
+    [now apply Solid.solid_cdts|now apply Solid.solid_plc].
 Qed.
-(** and for each of its simplices every triangulation has one with a min-containment ball that is no smaller. *)
-Theorem proposition_4_13_balls P (T U : list (simplex d)) t c r2 : (2 <= d)%nat -> proper_domain P ->
+(** and for each of its simplices every triangulation has one with a min-containment ball that is no
+    smaller. *)
+Theorem proposition_4_13_balls P (T U : list (simplex d)) t c r2 : (2 <= d)%nat ->
+  proper_domain P ->
   cdt P T -> solid T -> plc_triangulation P U -> solid U -> In t T -> min_containment_ball t c r2 ->
   exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
 Proof.
-  intros D Pr CT ST PU SU. apply (ConstrainedOptimality.proposition_4_13_balls D P Pr); [now apply Solid.solid_cdts|now apply Solid.solid_plc].
+  intros D Pr CT ST PU SU. apply (ConstrainedOptimality.proposition_4_13_balls D P Pr);
+    [now apply Solid.solid_cdts|now apply Solid.solid_plc].
 Qed.
 
 (** The convex hull by convex combinations is the convex hull by half-spaces. *)

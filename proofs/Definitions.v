@@ -59,8 +59,8 @@ Record certificate := Certificate {
       sample 1 2 1 3
       end
 >>
-    The last token of a point is the index that its user knows it by, which is no part of the record.
-    [MainTheorems.v] begins with what the acceptance of this certificate says. *)
+    The last token of a point is the index that its user knows it by, which is no part of the
+    record. [MainTheorems.v] begins with what the acceptance of this certificate says. *)
 Definition worked_triangle : certificate := Certificate Delaunay 1 2
   [PointEntry (Site [0; 0]%Z 0) 1 (Some 0%nat);
    PointEntry (Site [0; 1]%Z 0) 1 (Some 2%nat);
@@ -301,7 +301,8 @@ Definition same_simplices (T U : list simplex) : Prop :=
     by e^i.  T is canonical if it has witness planes over all such heights with a small e > 0. *)
 Definition lowered (S : list (point d)) (h : point d -> R) (e : R) (k : point d -> R) : Prop :=
   forall i p, nth_error S i = Some p -> k p = h p - e ^ Datatypes.S i.
-Definition canonical_triangulation (S : list (point d)) (h : point d -> R) (T : list simplex) : Prop :=
+Definition canonical_triangulation (S : list (point d)) (h : point d -> R) (T : list simplex) :
+  Prop :=
   fills S T /\ exists e0, 0 < e0 /\ forall e k, 0 < e < e0 -> lowered S h e k ->
     forall t, In t T -> witness_plane k S t.
 
@@ -475,9 +476,9 @@ Section Caller.
 Context {d : nat}.
 Variables (r : R) (P : list site) (l : list row).
 
-(** Equal points are one point, and whoever lists one of them lists the other.  (A list of points that
-    has one twice is the input's fault, not the mesh's.  If equal points had different weights, no
-    function would give the weights, and nothing would be claimed that could be true.) *)
+(** Equal points are one point, and whoever lists one of them lists the other.  (A list of points
+    that has one twice is the input's fault, not the mesh's.  If equal points had different weights,
+    no function would give the weights, and nothing would be claimed that could be true.) *)
 Definition caller_points : list (point d) := map (place_of r) P.
 Definition caller_entry (n : option positive) : option (point d) :=
   match n with Some k => option_map (place_of r) (numbered P k) | None => None end.

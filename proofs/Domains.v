@@ -1,8 +1,8 @@
 (** * Domains: everything that the theorems about domains speak of
 
-    The words of Definitions.v go on here: first what a certificate about a domain says beside that of
-    its mesh, as records; then the book's Sections 2.10 and 4.5.1, for R^d; then what the files are
-    about.  Nothing here is proved, and nothing here computes a verdict. *)
+    The words of Definitions.v go on here: first what a certificate about a domain says beside that
+    of its mesh, as records; then the book's Sections 2.10 and 4.5.1, for R^d; then what the files
+    are about.  Nothing here is proved, and nothing here computes a verdict. *)
 From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Definitions.
 Import ListNotations.
@@ -10,9 +10,9 @@ Open Scope R_scope.
 
 (** ** Certificates about domains, as they stand in a file
 
-    A domain is given by vertices, segments, polygons (in space) and hole points.  A certificate about
-    it begins with one for a mesh of a whole convex hull, that of the domain or a greater one.  Some of
-    its simplices are kept: these are the mesh that the certificate is about. *)
+    A domain is given by vertices, segments, polygons (in space) and hole points.  A certificate
+    about it begins with one for a mesh of a whole convex hull, that of the domain or a greater one.
+    Some of its simplices are kept: these are the mesh that the certificate is about. *)
 
 Inductive domain_claim :=
   PlcTriangulation | SteinerTriangulation | ConformingDelaunay | Cdt | SteinerCdt.
@@ -22,13 +22,15 @@ Inductive domain_kind := Enclosed | Hull.
 (** What a point of the mesh is: a vertex of the domain, and of the kept simplex T; or another, of
     which the kind [Hull] wants to know that it is a combination of the vertices. *)
 Inductive role := Corner (t : positive) | Steiner (w : list (Z * positive)).
-(** A step along a segment: to the point, by an edge of the simplex T (in the plane, its facet I). *)
+(** A step along a segment: to the point, by an edge of the simplex T (in the plane, its facet
+    I). *)
 Record link := Link { reached : positive; link_simplex : positive; link_facet : nat }.
 Record segment_entry := SegmentEntry { from : positive; links : list link }.
-(** How one gets out of a simplex that is not kept: it holds hole H; through facet I, which is on the
-    hull; through facet I into a simplex of smaller rank. *)
+(** How one gets out of a simplex that is not kept: it holds hole H; through facet I, which is on
+    the hull; through facet I into a simplex of smaller rank. *)
 Inductive way := InHole (h : positive) | OutOfHull (i : nat) | Across (i : nat).
-(** Is the simplex kept; which of its facets are walls: part of segment K, or piece U of polygon K. *)
+(** Is the simplex kept; which of its facets are walls: part of segment K, or piece U of polygon
+    K. *)
 Record mark := Mark {
   kept : bool; flags : list (option (positive * positive)); way_out : way; rank : positive }.
 (** The point [hole_point] / [hole_w], in simplex T. *)
@@ -40,8 +42,9 @@ Record part := Part {
   marks : list mark                (* one a simplex *)
 }.
 (** A polygon in space: the plane where <normal, p> = offset, and seen along an axis a domain in the
-    plane, with its own certificate; which point of the mesh is above which of its points; where in the
-    mesh its kept triangles are; and its hole points, of which that domain has the projections. *)
+    plane, with its own certificate; which point of the mesh is above which of its points; where in
+    the mesh its kept triangles are; and its hole points, of which that domain has the
+    projections. *)
 Record polygon_entry := PolygonEntry {
   normal : list Z; offset : Z; axis : nat;
   plane_mesh : certificate; plane_part : part;
@@ -57,15 +60,16 @@ Record domain_certificate := DomainCertificate {
   polygons : list polygon_entry    (* none in the plane *)
 }.
 
-(** What shows that the domain of a certificate is a piecewise linear complex.  A face of the mesh (a vertex, an
-    edge, in polygons a triangle) in a segment or a polygon is held by it: in no other segment or polygon is there
-    this face, but that polygons may have segments in them; a vertex of the domain need not be held. *)
+(** What shows that the domain of a certificate is a piecewise linear complex.  A face of the mesh
+    (a vertex, an edge, in polygons a triangle) in a segment or a polygon is held by it: in no other
+    segment or polygon is there this face, but that polygons may have segments in them; a vertex of
+    the domain need not be held. *)
 Inductive holder := InSegment (k : positive) | InPolygon (k : positive).
 (** The face with these vertices and the one, of a smaller number, at which the entry stands. *)
 Record face_entry := FaceEntry { others : list positive; face_holder : holder }.
-(** Of a polygon: for each of its own segments which segment of the domain this is, and whether the polygon
-    is on one side of it only; and all the segments of the domain in it, for each of their steps with a
-    piece of the polygon that has it for an edge. *)
+(** Of a polygon: for each of its own segments which segment of the domain this is, and whether the
+    polygon is on one side of it only; and all the segments of the domain in it, for each of their
+    steps with a piece of the polygon that has it for an edge. *)
 Record polygon_faces := PolygonFaces {
   rim_segments : list (positive * bool);
   segments_in : list (positive * list positive)
@@ -105,7 +109,8 @@ Inductive connected (x : point d) : point d -> Prop :=
   | further y z : connected x y -> flat z -> clear y z -> connected x z.
 (** Points as far away as one likes are connected with [x]. *)
 Definition unbounded (x : point d) : Prop := forall r, exists y, connected x y /\ r < norm2 y.
-(** The walls and the bounded components of what they leave over, but for those with a hole point. *)
+(** The walls and the bounded components of what they leave over, but for those with a hole
+    point. *)
 Definition enclosed (q : point d) : Prop := flat q /\
   (walls q \/ ~ unbounded q /\ forall h, In h hole_points -> ~ connected q h).
 End Enclosed.
@@ -145,10 +150,11 @@ Definition wall_cells (P : domain) : list (point d -> Prop) :=
   | 2%nat => map (fun ab q => conv [fst ab; snd ab] q) (domain_segments P)
   | _ => map polygon_points (domain_polygons P)
   end.
-(** In the plane there are no polygons; a polygon has a plane.  (The domain of every certificate that is accepted
-    is one of these.) *)
+(** In the plane there are no polygons; a polygon has a plane.  (The domain of every certificate
+    that is accepted is one of these.) *)
 Definition proper_domain (P : domain) : Prop :=
-  (d = 2%nat -> domain_polygons P = []) /\ forall f, In f (domain_polygons P) -> plane_normal f <> origin.
+  (d = 2%nat -> domain_polygons P = []) /\ forall f, In f (domain_polygons P) ->
+    plane_normal f <> origin.
 (** The polyhedra (in the plane, the polygons), as one cell: linear cells need not be connected. *)
 Definition region (P : domain) : point d -> Prop :=
   match what_it_fills P with
@@ -165,22 +171,24 @@ Definition underlying (P : domain) (q : point d) : Prop := exists X, In X (cells
 
 (** ** Definition 4.3
 
-    A linear cell, with its dimension and its affine hull.  What the domain fills is a cell if walls enclose
-    it; the hull of its vertices, of which no boundary is listed, is none. *)
+    A linear cell, with its dimension and its affine hull.  What the domain fills is a cell if walls
+    enclose it; the hull of its vertices, of which no boundary is listed, is none. *)
 Record linear_cell := LinearCell {
   cell_dimension : nat; affine_hull : point d -> Prop; cell_points : point d -> Prop }.
 Definition linear_cells (P : domain) : list linear_cell :=
   map (fun v => LinearCell 0 (fun q => q = v) (fun q => q = v)) (domain_vertices P) ++
-  map (fun ab => LinearCell 1 (fun q => exists s, q = between (fst ab) (snd ab) s) (conv [fst ab; snd ab]))
+  map (fun ab => LinearCell 1 (fun q => exists s, q = between (fst ab) (snd ab) s)
+    (conv [fst ab; snd ab]))
     (domain_segments P) ++
-  map (fun f => LinearCell 2 (fun q => inner (plane_normal f) q = plane_offset f) (polygon_points f))
+  map (fun f => LinearCell 2 (fun q => inner (plane_normal f) q = plane_offset f)
+    (polygon_points f))
     (domain_polygons P) ++
   match what_it_fills P with
   | Enclosed => [LinearCell d (fun _ => True) (region P)]
   | Hull => []
   end.
-(** The boundary of a union of finitely many convex polytopes: the points from which one gets out of it, within
-    its affine hull, along a segment that has nothing else in common with it. *)
+(** The boundary of a union of finitely many convex polytopes: the points from which one gets out of
+    it, within its affine hull, along a segment that has nothing else in common with it. *)
 Definition boundary (f : linear_cell) (q : point d) : Prop := cell_points f q /\
   exists r, affine_hull f r /\ forall s, 0 < s <= 1 -> ~ cell_points f (between q r s).
 Definition within (X Y : point d -> Prop) : Prop := forall q, X q -> Y q.
@@ -193,8 +201,8 @@ Record piecewise_linear_complex (P : domain) : Prop := {
   (** The boundary of each cell is a union of cells. *)
   boundary_of_cells : forall f q, In f (linear_cells P) -> boundary f q ->
     exists g, In g (linear_cells P) /\ cell_points g q /\ within (cell_points g) (boundary f);
-  (** Where two cells meet, if they are not the same, is a union of cells, each of a lower dimension than
-      one of the two. *)
+  (** Where two cells meet, if they are not the same, is a union of cells, each of a lower dimension
+      than one of the two. *)
   meeting_cells : forall f g q, In f (linear_cells P) -> In g (linear_cells P) ->
     ~ (within (cell_points f) (cell_points g) /\ within (cell_points g) (cell_points f)) ->
     cell_points f q -> cell_points g q ->
@@ -205,13 +213,14 @@ Record piecewise_linear_complex (P : domain) : Prop := {
 
 (** ** Triangulations of domains
 
-    [K] lists simplices of any dimension, which with their faces are the complex: all of it, whatever dangles.  (A list
-    also says how often.  The d-simplices are listed once.) *)
+    [K] lists simplices of any dimension, which with their faces are the complex: all of it,
+    whatever dangles.  (A list also says how often.  The d-simplices are listed once.) *)
 Definition union_of_simplices (K : list (simplex d)) (X : point d -> Prop) : Prop :=
   exists F, (forall s, In s F -> faces_of K s) /\ forall q, X q <-> exists s, In s F /\ conv s q.
 
-(** Definition 4.5: a Steiner triangulation of P is a simplicial complex that contains every vertex of P, and possibly more;
-    every linear cell of P is a union of simplices of the complex, and these fill |P|. *)
+(** Definition 4.5: a Steiner triangulation of P is a simplicial complex that contains every vertex
+    of P, and possibly more; every linear cell of P is a union of simplices of the complex, and
+    these fill |P|. *)
 Definition steiner_triangulation (P : domain) (K : list (simplex d)) : Prop :=
   (forall s, In s K -> NoDup s /\ s <> [] /\ (length s <= S d)%nat) /\
   ForallOrdPairs (fun s t => length s = S d -> ~ same s t) K /\
@@ -224,7 +233,8 @@ Definition steiner_triangulation (P : domain) (K : list (simplex d)) : Prop :=
 Definition plc_triangulation (P : domain) (K : list (simplex d)) : Prop :=
   steiner_triangulation P K /\ forall s v, In s K -> In v s -> In v (domain_vertices P).
 
-(** Definition 4.5: in a conforming Delaunay triangulation every simplex is Delaunay, with respect to the vertices of the complex. *)
+(** Definition 4.5: in a conforming Delaunay triangulation every simplex is Delaunay, with respect
+    to the vertices of the complex. *)
 Definition conforming_delaunay (P : domain) (K : list (simplex d)) : Prop :=
   steiner_triangulation P K /\ forall s, In s K -> delaunay (concat K) s.
 
@@ -233,8 +243,8 @@ Definition solid (K : list (simplex d)) : Prop := forall s, In s K -> length s =
 
 (** ** Constrained Delaunay *)
 
-(** Definition 2.11: a simplex respects a domain if it is in |P|, and what it has in common with each
-    cell is a union of its faces. *)
+(** Definition 2.11: a simplex respects a domain if it is in |P|, and what it has in common with
+    each cell is a union of its faces. *)
 Definition union_of_faces (X : point d -> Prop) (s : simplex d) : Prop :=
   exists F, (forall f, In f F -> incl f s) /\ forall q, X q <-> exists f, In f F /\ conv f q.
 Definition respects (P : domain) (s : simplex d) : Prop :=
@@ -244,19 +254,22 @@ Definition respects (P : domain) (s : simplex d) : Prop :=
 (** Definition 2.13. *)
 Definition visible (P : domain) (x y : point d) : Prop := respects P [x; y].
 
-(** Definition 4.6, for the vertices [V]: those of the domain or, with Steiner points, of the mesh. *)
+(** Definition 4.6, for the vertices [V]: those of the domain or, with Steiner points, of the
+    mesh. *)
 Definition constrained_delaunay (V : list (point d)) (P : domain) (s : simplex d) : Prop :=
   incl s V /\ respects P s /\
   exists c r2, circumball s c r2 /\ forall v x, In v V -> strictly_inside s x -> visible P x v ->
     ~ dist2 c v < r2.
 
-(** Definition 4.7: a CDT is a triangulation of P in which every tetrahedron is constrained Delaunay, and every dangling triangle, one
-    that is not a face of any tetrahedron.  (In the plane: every triangle.)  And a Steiner CDT. *)
+(** Definition 4.7: a CDT is a triangulation of P in which every tetrahedron is constrained
+    Delaunay, and every dangling triangle, one that is not a face of any tetrahedron.  (In the
+    plane: every triangle.)  And a Steiner CDT. *)
 Definition has_to_be_constrained_delaunay (K : list (simplex d)) (s : simplex d) : Prop :=
   length s = S d \/ length s = 3%nat /\ forall t, In t K -> length t = S d -> ~ incl s t.
 Definition cdt (P : domain) (K : list (simplex d)) : Prop :=
   plc_triangulation P K /\
-  forall s, In s K -> has_to_be_constrained_delaunay K s -> constrained_delaunay (domain_vertices P) P s.
+  forall s, In s K -> has_to_be_constrained_delaunay K s ->
+    constrained_delaunay (domain_vertices P) P s.
 Definition steiner_cdt (P : domain) (K : list (simplex d)) : Prop :=
   steiner_triangulation P K /\
   forall s, In s K -> has_to_be_constrained_delaunay K s -> constrained_delaunay (concat K) P s.
@@ -301,7 +314,8 @@ Notation mesh := (whole_mesh c).
 
 (** The segments of a polygon: those of its certificate, between the points of the mesh above. *)
 Definition polygon_of (f : polygon_entry) : polygon d :=
-  let up (k : positive) := match numbered (above f) k with Some j => spot d mesh j | None => origin end in
+  let up (k : positive) := match numbered (above f) k with Some j => spot d mesh j | None =>
+    origin end in
   {| plane_normal := integer_point d (normal f);
      plane_offset := unit_of mesh * IZR (offset f);
      rim := map (fun s => (up (from s), up (last (map reached (links s)) (from s))))

@@ -1,35 +1,38 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v].  [check], [refute], [check_domain] and so on
-    are the functions that the program evaluates; how they decide ([checker/Checker.v],
-    [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.
-    The theorems of the book stand in [BookTheorems.v].
+    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or, of
+    a mesh alone, of [Complexes.v].  [check], [refute], [check_domain] and so on are the functions
+    that the program evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
+    [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
+    stand in [BookTheorems.v].
 
     What a line of the program does not say:
     - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
-      they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not proved;
-      so is what a domain is, with [DOMAIN.poly] too;
+      they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not
+      proved; so is what a domain is, with [DOMAIN.poly] too;
     - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
     - that a domain is a piecewise linear complex, unless it adds [plc];
-    - that each point in your list is a vertex, if the claim is about a domain: only simplices are looked at;
-    - anything within a tolerance: nothing is proved of [check --within], which moves points; what is
-      verified is of the coordinates in the file, as they are;
-    - anything of a mesh in which something dangles, unless it is refuted: no certificate is about one, nor is a domain in which
-      something dangles said to have no triangulation;
-    - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is not stated, and of Proposition 4.11,
-      that a CDT induces CDTs of the polygons, only what it says at their edges ([BookTheorems.v]);
-    - that a domain has a triangulation, where no proof is found that it has none: none is for a room
-      within another, nor beyond 48 vertices;
+    - that each point in your list is a vertex, if the claim is about a domain: only simplices are
+      looked at;
+    - anything within a tolerance: nothing is proved of [check --within], which moves points; what
+      is verified is of the coordinates in the file, as they are;
+    - of a mesh alone, that it is a manifold, connected, closed or oriented;
+    - anything of a mesh in which something dangles, unless it is refuted: no certificate is about
+      one, nor is a domain in which something dangles said to have no triangulation;
+    - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is stated in [BookTheorems.v], and
+      not proved; and of Proposition 4.11, that a CDT induces CDTs of the polygons, only what it
+      says at their edges is stated there;
+    - that a domain has a triangulation, where no proof is found that it has none: none is for a
+      room within another, nor beyond 48 vertices;
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/].
-    Every claim and every rule of the program stands in docs/certificates.md beside its theorem, or with the
-    reason why it has none; more is in README.md, "What is not covered". *)
+    Every claim and every rule of the program stands in docs/certificates.md beside its theorem, or
+    with the reason why it has none; more is in README.md, "What is not covered". *)
 From Coq Require Import String Rbase Rfunctions List ZArith.
-From Circumspect Require Import Quick Honest.
-From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
-From Circumspect Require Import Definitions Domains DomainRules.
-From Circumspect Require Judged Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted WholeSound ImpossibleSound Completeness
-  EveryTriangulation.
+From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
+From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
+From Circumspect Require Import GiftWrapping Honest Definitions Domains DomainRules Complexes.
+From Circumspect Require MainProofs.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -48,8 +51,9 @@ Theorem verified D c : check D c = Accepted ->
   end.
 Proof. apply Soundness.check_sound. Qed.
 
-(** In the program the simplices of a certificate are rows of words ([checker/Packed.v] says of which certificate),
-    and a quick check of them comes first; what it says holds is accepted, and settled as the certificate says. *)
+(** In the program the simplices of a certificate are rows of words ([checker/Packed.v] says of
+    which certificate), and a quick check of them comes first; what it says holds is accepted, and
+    settled as the certificate says. *)
 Theorem verified_packed D p standing s : judge D p standing s = Holds ->
   check D (unpacked D p) = Accepted /\
   forall st, standing = Some st -> settle D (unpacked D p) st = Settled.
@@ -67,9 +71,7 @@ Proof. apply (verified Plane worked_triangle eq_refl). Qed.
 (** An accepted refutation: the points span R^d, and the claim is false of them, ... *)
 Theorem verified_not D c : refute D c = true ->
   spans (refuted_points D c) /\ ~ refuted_claim D c.
-Proof.
-  intros A. split; [now apply RefutationSound.refute_spans|now apply RefutationSound.refute_sound].
-Qed.
+Proof. apply MainProofs.refuted_not. Qed.
 
 (** ... because it breaks the rule that is printed. *)
 Theorem verified_rule D c w : refute D c = true ->
@@ -84,82 +86,75 @@ Theorem verified_domain D c : check_domain D c = Accepted ->
   let P := domain_of_certificate (dimension_of D) c in
   let T := mesh_of_domain (dimension_of D) c in
   solid T /\ holds_of_complex (domain_claimed c) P T.
-Proof.
-  intros A. pose proof (DomainSound.check_domain_sound D c A) as H. cbv zeta in *. destruct (domain_claimed c);
-    [apply Solid.solid_plc in H|apply Solid.solid_steiner in H|apply Solid.solid_conforming in H|apply Solid.solid_cdts in H
-    |apply Solid.solid_steiner_cdts in H]; now destruct H.
-Qed.
+Proof. apply MainProofs.domain_holds. Qed.
 
-(** And if the certificate says so ([plc]), this domain is a piecewise linear complex (Definition 4.3). *)
+(** And if the certificate says so ([plc]), this domain is a piecewise linear complex
+    (Definition 4.3). *)
 Theorem verified_complex D c x : check_domain D c = Accepted -> check_complex D c x = Accepted ->
   piecewise_linear_complex (domain_of_certificate (dimension_of D) c).
 Proof. apply ComplexSound.check_complex_sound. Qed.
 
-(** An accepted refutation of a claim about a domain: whatever domain has the vertices and, among others, the
-    segments of the refutation, the claim is false of it and the mesh, ... *)
-Theorem verified_not_domain D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+(** An accepted refutation of a claim about a domain: whatever domain has the vertices and, among
+    others, the segments of the refutation, the claim is false of it and the mesh, ... *)
+Theorem verified_not_domain D c (P : domain (dimension_of D)) :
+  refute_domain D c = true -> described D c P ->
   ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c))
       (dangling_simplices D (mesh_refuted c) (dangling_refuted c)).
 Proof. apply DomainRefuted.refute_domain_sound. Qed.
 
 (** ... because it breaks the rule that is printed. *)
-Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
-  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (dangling_simplices D (mesh_refuted c) (dangling_refuted c))
+Theorem verified_domain_rule D c (P : domain (dimension_of D)) :
+  refute_domain D c = true -> described D c P ->
+  broken_of_domain P (refuted_simplices D (mesh_refuted c))
+    (dangling_simplices D (mesh_refuted c) (dangling_refuted c))
     (domain_rule_of c).
 Proof. apply DomainRefuted.refute_domain_rule. Qed.
 
 (** The same of refutations that speak of the whole domain: it is that of the refutation. *)
 Theorem verified_not_whole_domain D x : refute_whole D x = true ->
-  ~ claims_of_domain (domain_claimed (about_domain x)) (domain_of_certificate (dimension_of D) (about_domain x))
-      (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)).
+  ~ claims_of_domain (domain_claimed (about_domain x))
+      (domain_of_certificate (dimension_of D) (about_domain x))
+      (refuted_simplices D (mesh_against x))
+      (dangling_simplices D (mesh_against x) (dangling_against x)).
 Proof. apply WholeSound.refute_whole_sound. Qed.
 Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
   broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x))
-    (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
+    (refuted_simplices D (mesh_against x))
+    (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
 Proof. apply WholeSound.refute_whole_rule. Qed.
 
 (** Which rules these can be, by the names that are printed. *)
-Lemma among s l : existsb (String.eqb s) l = true -> In s l.
-Proof. intros H. apply existsb_exists in H. destruct H as (t & A & E). apply String.eqb_eq in E. now subst. Qed.
-Ltac listed := apply among; reflexivity.
 Theorem rules_of_points D c : refute D c = true -> In (rule_name (rule_of (because c)))
-  ["simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
-   "complex.duplicate-simplex"; "complex.facet-overused"; "complex.overlap"; "triangulation.covered-twice";
-   "triangulation.unused-point"; "triangulation.hull-not-convex"; "triangulation.hull-not-closed";
-   "delaunay.vertex-in-ball"; "delaunay.facet-not-local"; "weighted.point-below-plane"; "weighted.vertex-submerged"]%string.
-Proof. intros _. destruct (because c); listed. Qed.
+  ["simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex";
+   "simplex.degenerate"; "complex.duplicate-simplex"; "complex.facet-overused"; "complex.overlap";
+   "triangulation.covered-twice"; "triangulation.unused-point"; "triangulation.hull-not-convex";
+   "triangulation.hull-not-closed"; "delaunay.vertex-in-ball"; "delaunay.facet-not-local";
+   "weighted.point-below-plane"; "weighted.vertex-submerged"]%string.
+Proof. apply MainProofs.rules_of_points. Qed.
 Theorem rules_of_domains D c : refute_domain D c = true -> In (domain_rule_name (domain_rule_of c))
-  ["domain.vertex-missing"; "domain.steiner-forbidden"; "domain.segment-missing"; "domain.vertex-in-edge"; "delaunay.no-empty-ball";
-   "simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
+  ["domain.vertex-missing"; "domain.steiner-forbidden"; "domain.segment-missing";
+   "domain.vertex-in-edge"; "delaunay.no-empty-ball"; "simplex.wrong-dimension";
+   "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
    "complex.duplicate-simplex"; "complex.overlap"; "triangulation.covered-twice";
    "delaunay.vertex-in-ball"; "delaunay.facet-not-local"]%string.
-Proof.
-  intros A. unfold refute_domain, refute_domain_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
-  unfold domain_rule_of. destruct (domain_because c); try solve [listed].
-  apply andb_prop in A. destruct A as [A _]. destruct (because (mesh_refuted c)); try discriminate; listed.
-Qed.
-Theorem rules_of_whole_domains D x : refute_whole D x = true -> In (domain_rule_name (whole_rule_of x))
-  ["cdt.facet-not-local"; "cdt.visible-vertex-in-ball"; "cdt.dangling-not-delaunay"; "domain.polygon-not-tiled"; "domain.uncovered";
-   "domain.outside"; "domain.uncovered or domain.outside"; "triangulation.hull-not-convex"; "triangulation.hull-not-closed"]%string.
-Proof.
-  intros A. unfold whole_rule_of. unfold refute_whole, refute_whole_in in A. cbv zeta in A.
-  destruct (shown_by x) as [| | | | | |e| |]; try solve [listed]. apply andb_prop in A. destruct A as [_ A].
-  cbn [whole_holds] in A. apply andb_prop in A. destruct A as [A _]. apply andb_prop in A. destruct A as [_ A].
-  destruct e; try discriminate; listed.
-Qed.
+Proof. apply MainProofs.rules_of_domains. Qed.
+Theorem rules_of_whole_domains D x : refute_whole D x = true ->
+  In (domain_rule_name (whole_rule_of x))
+  ["cdt.facet-not-local"; "cdt.visible-vertex-in-ball"; "cdt.dangling-not-delaunay";
+   "domain.polygon-not-tiled"; "domain.uncovered"; "domain.outside";
+   "domain.uncovered or domain.outside"; "triangulation.hull-not-convex";
+   "triangulation.hull-not-closed"]%string.
+Proof. apply MainProofs.rules_of_whole_domains. Qed.
 
-(** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT
-    (Definition 4.7): it has none, whatever dangles. *)
+(** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no
+    CDT (Definition 4.7): it has none, whatever dangles. *)
 Theorem verified_impossible x : check_impossible x = Accepted ->
   let P := domain_of_certificate 3 (about x) in
   match domain_claimed (about x) with
   | Cdt => forall K, ~ cdt P K
   | _ => forall K, ~ plc_triangulation P K
   end.
-Proof.
-  intros A. cbv zeta. pose proof (fun K => ImpossibleSound.check_impossible_sound x K A) as H.
-  destruct (domain_claimed (about x)); intros K Tr; try (apply (H K Tr); discriminate). now apply (H K (proj1 Tr)).
-Qed.
+Proof. apply MainProofs.impossible. Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
     of the points is that of the certificate, which is lexicographic ([points-increasing]). *)
@@ -188,10 +183,58 @@ Theorem verified_generic D c c' : check D c = Accepted -> check D c' = Accepted 
   generic (points_of_certificate (dimension_of D) c) ->
   forall s, faces_of (simplices_of_certificate (dimension_of D) c) s <->
             faces_of (simplices_of_certificate (dimension_of D) c') s.
-Proof.
-  intros A A' E E' P G. apply verified in A, A'. rewrite E in A. rewrite E' in A'.
-  rewrite <- P in A'. now apply (Uniqueness.theorem_4_4 (points_of_certificate (dimension_of D) c)).
-Qed.
+Proof. apply MainProofs.generic_once. Qed.
+
+(** The points of a certificate are in order, so the canonical triangulation is one of a set of
+    points, in whatever order they were listed. *)
+Theorem verified_any_order D c c' s s' : check D c = Accepted -> check D c' = Accepted ->
+  settle D c s = Settled -> settle D c' s' = Settled ->
+  claimed c = Delaunay -> claimed c' = Delaunay ->
+  (forall p, In p (points_of_certificate (dimension_of D) c) <->
+             In p (points_of_certificate (dimension_of D) c')) ->
+  same_simplices (simplices_of_certificate (dimension_of D) c)
+    (simplices_of_certificate (dimension_of D) c').
+Proof. apply AnyOrder.canonical_any_order. Qed.
+
+(** ** A mesh alone *)
+
+(** An accepted certificate of the claim [complex]: the simplices, of whatever dimension, form a
+    complex in the sense of [Complexes.v]; and so they and their faces are a simplicial complex
+    (Definition 1.5). *)
+Theorem verified_mesh_alone D c : check_alone D c = Accepted ->
+  let S := points_of_certificate (dimension_of D) (bare_certificate c) in
+  let T := simplices_of_certificate (dimension_of D) (bare_certificate c) in
+  simplices_form_a_complex S T /\ simplicial_complex (faces_of T).
+Proof. apply MainProofs.mesh_alone_holds. Qed.
+
+(** An accepted refutation: they do not, because they break the rule that is printed. *)
+Theorem verified_not_complex D x : refute_alone D x = true ->
+  broken_of_complex (refuted_points D (mesh_alone x)) (refuted_simplices D (mesh_alone x))
+    (complex_rule_of x) /\
+  ~ claims_complex (refuted_points D (mesh_alone x)) (refuted_simplices D (mesh_alone x)).
+Proof. apply AloneRefuted.refute_alone_rule. Qed.
+Theorem rules_of_complexes D x : refute_alone D x = true ->
+  In (rule_of_complex_name (complex_rule_of x))
+  ["triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
+   "complex.duplicate-simplex"; "complex.overlap"; "triangulation.unused-point";
+   "complex.hanging-vertex"; "complex.faces-cross"; "complex.points-equal"]%string.
+Proof. apply MainProofs.rules_of_complexes. Qed.
+
+(** ** A construction *)
+
+(** What [circumspect-verified build delaunay] prints is made by gift-wrapping (Section 5.6): of the
+    points [l], in whatever unit r, it is a Delaunay triangulation, and the canonical one. *)
+Theorem built_delaunay D (r : R) (l : list site) L : 0 < r -> wrap D l = Some L ->
+  let S : list (point (dimension_of D)) := caller_points r l in
+  NoDup S /\ spans S /\ exists T, caller_rows r l (map (map Some) L) = map (map Some) T /\
+    delaunay_triangulation S T /\ canonical_triangulation S norm2 T.
+Proof. apply MainProofs.wrapped. Qed.
+(** And it is made of every set of points that spans the plane or space. *)
+Theorem built_always D (r : R) (l : list site) : 0 < r ->
+  let S : list (point (dimension_of D)) := caller_points r l in
+  Forall (fun s => length (coordinates s) = dimension_of D) l -> NoDup S -> spans S ->
+  exists L, wrap D l = Some L.
+Proof. apply BuiltDelaunay.wrap_complete. Qed.
 
 (** ** Completeness: no correct mesh is rejected
 
@@ -202,11 +245,7 @@ Qed.
     test of a sign fails on a true claim. *)
 Theorem verified_complete D c : honest_certificate D c ->
   (check D c = Accepted <-> claim_holds (dimension_of D) c).
-Proof.
-  intros H. split; [|now apply Completeness.check_complete].
-  intros A. apply verified in A. destruct A as (_ & A). unfold claim_holds. cbv zeta.
-  destruct (claimed c); [exact A|exact A|]. destruct A as ((w & W) & A). exists w. auto.
-Qed.
+Proof. apply MainProofs.complete. Qed.
 
 (** And there is such a certificate. If the points of [c], at least one, are in order and its
     simplices list them with an orientation that is not negative, and what [c] claims of them is

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Holds circumspect-verified to the oracle, on drawn domains and point sets, and on forged files about them.
 
-    proofs/forgeries.py CIRCUMSPECT CIRCUMSPECT_VERIFIED [--domains N] [--impossible N] [--points N] [--forgeries N] [--seed S]
+    proofs/forgeries.py CIRCUMSPECT CIRCUMSPECT_VERIFIED [--domains N] [--impossible N] [--points N] [--alone N]
+        [--forgeries N] [--seed S]
 
 Each domain and each point set is drawn by `circumspect generate` and meshed by `circumspect build`; half of the meshes are
-then broken. What `circumspect certify` writes of such a mesh has to be verified, and compared with the user's own files; so has
+then broken, and three quarters of those that are judged alone, as complexes. What `circumspect certify` writes of such a mesh has to be verified, and compared with the user's own files; so has
 the proof that `inspect --refutations` writes where a domain has no triangulation or no CDT.
 
 Each of these files is then forged: numbers, lines, sections and the claim are changed, or come from another file. A forgery may be
@@ -25,11 +26,12 @@ import sys
 import tempfile
 
 CLAIMS_ABOUT_DOMAINS = ("plc-triangulation", "steiner-triangulation", "conforming-delaunay", "cdt", "steiner-cdt")
-CLAIMS = {"points": ("triangulation", "delaunay"), "domain": CLAIMS_ABOUT_DOMAINS}
+CLAIMS = {"points": ("triangulation", "delaunay"), "alone": ("complex",), "domain": CLAIMS_ABOUT_DOMAINS}
 FAMILIES = {
     "domain": ("planar-segments", "planar-grid", "furnished-boxes", "delaunay-polyhedra", "protected-solids", "glued-tetrahedra",
                "coplanar-cells", "protected-polygons", "planar-segments+rotated", "delaunay-polyhedra+ulp", "planar-grid+moved"),
     "impossible": ("twisted-prisms", "glued-tetrahedra", "named-complexes", "twisted-prisms+rotated"),
+    "alone": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid"),
     "points": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid", "small-weights", "submerged")}
 KEPT = pathlib.Path("forgeries-failed")
 
@@ -72,8 +74,9 @@ class Programs:
 def drawn(programs, kind, folder, number, dice):
     """A point set or a domain, if the family has one of this seed."""
     family = dice.choice(FAMILIES[kind])
-    path = folder / ("mesh.node" if kind == "points" else "domain.poly")
-    dimension = ["--dimension", dice.choice((2, 3))] if kind == "points" else []
+    of_points = kind in ("points", "alone")
+    path = folder / ("mesh.node" if of_points else "domain.poly")
+    dimension = ["--dimension", dice.choice((2, 3))] if of_points else []
     ended = programs.run("generate", family, "--points", dice.randint(6, 10), "--seed", number, *dimension, "-o", path, "--quiet")
     return path if ended.returncode == 0 else None
 
@@ -148,7 +151,7 @@ def certified(programs, kind, folder, number, dice, counts):
         return None
     mesh = folder / "mesh.ele"
     about, own_domain, which = [], [], None
-    if kind == "points":
+    if kind != "domain":
         weighted = path.read_text().split(None, 3)[2] == "1"
         claim = "weighted-delaunay" if weighted else dice.choice(CLAIMS[kind])
         ended = programs.run("build", "weighted-delaunay" if weighted else "delaunay", path, "-o", mesh, "--quiet")
@@ -163,7 +166,7 @@ def certified(programs, kind, folder, number, dice, counts):
     if ended.returncode != 0:
         counts[f"{kind}: not meshed"] += 1
         return None
-    if dice.random() < 0.5:
+    for _ in range(dice.randrange(4) if kind == "alone" else dice.randrange(2)):
         broken(mesh, dice)
     file = folder / "file"
     ended = programs.run("certify", mesh, *about, "--claim", claim, "--by", "definition", "--quiet", "-o", file, "--limit", "20s")
@@ -250,7 +253,7 @@ def forged(text, others, dice):
         elif how == 14:  # what is claimed
             first = lines[0]
             place = dice.randrange(2, len(first) + 1) if len(first) > 2 else len(first)
-            word = dice.choice(("delaunay", "triangulation", "2", "3", "unique", "canonical", "plc", "enclosed", "hull",
+            word = dice.choice(("delaunay", "triangulation", "2", "3", "unique", "canonical", "plc", "enclosed", "hull", "complex",
                                 *CLAIMS_ABOUT_DOMAINS))
             first[place:place + dice.randrange(2)] = [word]
         elif others and heads:  # a section of another file
@@ -296,15 +299,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("circumspect")
     parser.add_argument("verified")
-    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("forgeries", 8), ("seed", 1)):
+    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("alone", 20), ("forgeries", 8), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=default)
     asked = parser.parse_args()
     programs = Programs(str(pathlib.Path(asked.circumspect).resolve()), str(pathlib.Path(asked.verified).resolve()))
     dice = random.Random(asked.seed)
     counts, others = collections.Counter(), []
     makers = {"domain": lambda *a: certified(programs, "domain", *a), "impossible": lambda *a: impossible(programs, *a),
-              "points": lambda *a: certified(programs, "points", *a)}
-    work = ["domain"] * asked.domains + ["impossible"] * asked.impossible + ["points"] * asked.points
+              "points": lambda *a: certified(programs, "points", *a), "alone": lambda *a: certified(programs, "alone", *a)}
+    work = ["domain"] * asked.domains + ["impossible"] * asked.impossible + ["points"] * asked.points + ["alone"] * asked.alone
     dice.shuffle(work)
     with tempfile.TemporaryDirectory() as scratch:
         for number, kind in enumerate(work):

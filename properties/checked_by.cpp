@@ -117,7 +117,7 @@ int run(const Checker& vouched, const std::string& in, const std::string& out,
     std::cerr << read.error().to_string() << '\n';
     return 2;
   }
-  const generators::PointsCase set{read->points.points, {}};
+  const generators::PointsCase set{read->points.points.points(), {}};
   const bool repeats = generators::without_repeated_points(set).points.size() < set.points.size();
   if (repeats || PointSet(set.points).dimension() != 3) return kSeesThroughAll;
   const PointArray points = generators::array(set);

@@ -56,7 +56,7 @@ ListedComplex meshed_apart() {
 void add_part(Dice& dice, ListedComplex& mesh) {
   const std::size_t d = mesh.points.front().size(), size = mesh.simplices.front().size();
   ListedComplex other = d == 3 && dice.below(3) == 0 ? meshed_apart() : triangulated(dice, d);
-  if (size <= d) other.simplices = definition::faces_of(other.simplices, size);
+  if (size <= d) other.simplices = faces_of(other.simplices, size);
   const auto first = static_cast<Vertex>(mesh.points.size());
   const Point moved = small_point(dice, d, 3);
   for (const Point& point : other.points) {
@@ -131,7 +131,7 @@ void break_once(Dice& dice, ListedComplex& mesh) {
 // A mesh of simplices of k + 1 vertices, with up to two faults.
 ListedComplex drawn(Dice& dice, std::size_t d, std::size_t k) {
   ListedComplex mesh = triangulated(dice, d);
-  if (k < d) mesh.simplices = definition::faces_of(mesh.simplices, k + 1);
+  if (k < d) mesh.simplices = faces_of(mesh.simplices, k + 1);
   while (mesh.simplices.size() > 10) erase_any(dice, mesh.simplices);
   for (std::size_t faults = dice.below(3); faults > 0; --faults) break_once(dice, mesh);
   std::erase_if(mesh.simplices, [k](const Simplex& simplex) { return simplex.size() != k + 1; });

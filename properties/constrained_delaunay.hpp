@@ -8,18 +8,17 @@
 #include <vector>
 
 #include "kernel/complex/point_set.hpp"
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/visibility.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/generated.hpp"
-#include "reference/existence/existence.hpp"
 #include "reference/existence/matching.hpp"
+#include "reference/existence/solver.hpp"
 
 namespace circumspect::properties {
 
-// ---- PLC triangulations ----
 // All triangulations of a small complex, CDTs or not. Book: Definition 4.4.
 
 // Triangulations of the polyhedra of a complex that consist of some of the candidates, each with
@@ -50,7 +49,6 @@ inline std::vector<std::vector<Simplex>> plc_triangulations(const PiecewiseLinea
   return all;
 }
 
-// ---- Polygon triangulations ----
 // Random triangulations of a polygon. Book: Section 4.5.1.
 
 // Some triangulation of the polygon that has its segments for edges, Delaunay or not, after up to
@@ -81,7 +79,6 @@ inline std::vector<Simplex> any_triangulation_of(const PointSet& points, const P
   return {index.simplices().begin(), index.simplices().end()};
 }
 
-// ---- Constrained Delaunay ----
 // "Constrained Delaunay" and "locally Delaunay" from their definitions, with real visibility, for
 // holding constructions and lemmas against them. Book: Definition 4.6, Lemma 4.10.
 
@@ -123,12 +120,8 @@ inline bool is_constrained_delaunay(const PiecewiseLinearComplex& complex, const
   const Ball smallest = circumball(points, simplex);
   Point normal(3);
   if (simplex.size() == 3) {
-    const Point a = points[simplex[1]] - points[simplex[0]];
-    const Point b = points[simplex[2]] - points[simplex[0]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      normal[i] = a[j] * b[k] - a[k] * b[j];
-    }
+    const Point& p = points[simplex[0]];
+    normal = cross_product(points[simplex[1]] - p, points[simplex[2]] - p);
   }
   std::optional<Rational> least, greatest;  // of t
   for (Vertex v = 0; points.names(v); ++v) {

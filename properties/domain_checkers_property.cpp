@@ -7,7 +7,6 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/triangulated/protected_complexes.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"

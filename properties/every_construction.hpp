@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_insertion.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::properties {

@@ -13,6 +13,8 @@
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
+#include "reference/delaunay/flip_insertion.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::properties {
@@ -28,8 +30,6 @@ rc::Gen<PointsCase> point_sets(std::size_t d, std::size_t max_points) {
                                    generators::any_point_set(d, max_points));
   return rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
 }
-
-// ---- Insertion by flips ----
 
 // The first `count` points, with their weights. Weights drop out if the prefix has none to keep.
 PointSet first_points(const PointsCase& set, std::size_t count) {
@@ -108,8 +108,6 @@ TEST_CASE("D2 insertion by flips makes the canonical triangulation, with weights
   }
 }
 
-// ---- The flip algorithm from any triangulation ----
-
 // Does the run say what is so: every facet that is not locally Delaunay is blocked by simplices
 // that the triangulation lacks, and no other facet is listed?
 void assert_blocked_facets(const PointSet& points, const FlippedTriangulation& result,
@@ -185,8 +183,6 @@ TEST_CASE("D7 from any triangulation the flip algorithm ends at the canonical on
     }));
   }
 }
-
-// ---- The corpus: triangulations from which no flip is possible ----
 
 TEST_CASE("D7 the flip algorithm is stuck at once at the corpus's stuck triangulations") {
   for (const std::string name : {"stuck-3d", "stuck-weighted-2d"}) {

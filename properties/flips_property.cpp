@@ -14,6 +14,7 @@
 #include "properties/arguments/random_flips.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::properties {
 namespace {
@@ -21,8 +22,6 @@ namespace {
 using delaunay::BasicFlip;
 using generators::PointsCase;
 using Simplices = std::vector<Simplex>;
-
-// ---- The two triangulations of d+2 points ----
 
 // Do the simplices triangulate some of the points, and is every other point inside them?
 bool is_triangulation_of_some(const PointSet& points, const Simplices& simplices) {
@@ -133,8 +132,6 @@ TEST_CASE(
     }));
   }
 }
-
-// ---- Flips in a triangulation ----
 
 rc::Gen<TriangulationCase> random_triangulations(std::size_t d) {
   return flipped_triangulations(

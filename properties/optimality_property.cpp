@@ -48,7 +48,7 @@ TEST_CASE("D5 the error is r^2 - d(o,p)^2 on each simplex, and never negative (S
         }
         for (const Simplex& simplex : one.simplices()) {
           const Ball ball = circumball(points, simplex);
-          for (const Simplex& face : optimality::faces(simplex)) {
+          for (const Simplex& face : faces(simplex)) {
             const Point p = barycentre(coordinates(points, face));
             const Rational error = *optimality::interpolation_error(points, one, p);
             RC_ASSERT(error == ball.squared_radius - squared_distance(ball.centre, p));
@@ -90,7 +90,7 @@ TEST_CASE("D5 at every point a Delaunay triangulation errs least of all (Proposi
 // of those that contain the whole simplex.
 Ball smallest_containing_ball(const PointSet& points, const Simplex& simplex) {
   std::optional<Ball> smallest;
-  for (const Simplex& face : optimality::faces(simplex)) {
+  for (const Simplex& face : faces(simplex)) {
     const Ball ball = circumball(points, face);
     const bool contains_all = std::all_of(simplex.begin(), simplex.end(), [&](Vertex v) {
       return sign(power(points, ball, v)) <= 0;

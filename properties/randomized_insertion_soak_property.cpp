@@ -15,8 +15,8 @@
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/conflict_graph.hpp"
-#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/triggers.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -73,8 +73,6 @@ std::size_t cases() {
   return said == nullptr ? 300 : std::strtoul(said, nullptr, 10);
 }
 
-// ---- Dealing ----
-
 enum class Way { kSlices, kRoundRobin, kAlongALine, kAllToOne, kSomeToNone };
 
 // Which rank has which simplices, in which order. The same at all ranks.
@@ -151,8 +149,6 @@ distributed::Dealt dealt(const ArrayMesh& mesh, Way way, Dice& dice,
   return own;
 }
 
-// ---- What is said ----
-
 std::string text_of(const Verdict& verdict, const Mesh& mesh) {
   return report::explanation(verdict, mesh) + report::verdict_line(verdict, mesh, "mesh");
 }
@@ -222,8 +218,6 @@ void check_agreement(Claim claim, const ArrayMesh& mesh, Way way, Dice& dice,
     CHECK(said_in_turns(claim, mesh, way, own, options) == expected);
   }
 }
-
-// ---- Meshes ----
 
 ArrayMesh drawn_mesh(std::size_t d, bool weighted, std::uint64_t seed) {
   const auto cases =

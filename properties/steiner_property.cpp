@@ -165,14 +165,7 @@ void assert_conforms(const PiecewiseLinearComplex& complex, const PlcTriangulati
   all.insert(all.end(), triangulation.dangling.begin(), triangulation.dangling.end());
   std::set<Simplex> faces;
   for (const Simplex& simplex : all) {
-    for (std::size_t size = 1; size <= std::min<std::size_t>(simplex.size(), 3); ++size) {
-      Simplex subset = first_subset(size);
-      do {
-        Simplex face;
-        for (const Vertex place : subset) face.push_back(simplex[static_cast<std::size_t>(place)]);
-        faces.insert(face);
-      } while (next_subset(subset, simplex.size()));
-    }
+    for (const Simplex& face : circumspect::faces(simplex)) faces.insert(face);
   }
   for (Vertex v = 0; complex.points.names(v); ++v) RC_ASSERT(faces.contains({v}));
   for (const Simplex& segment : complex.segments) RC_ASSERT(faces.contains(segment));

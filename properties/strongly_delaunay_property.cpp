@@ -10,6 +10,7 @@
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
+#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"
@@ -17,7 +18,6 @@
 
 namespace circumspect::properties {
 
-// ---- Strongly Delaunay property ----
 // D3: strongly Delaunay simplices of all dimensions. Book: Section 4.2, Propositions 4.2 and 4.3,
 // Exercise 2 of Chapter 4.
 
@@ -125,7 +125,7 @@ TEST_CASE("D3 faces of (strongly) Delaunay simplices are so, and every vertex (E
       for (const bool strongly : {false, true}) {
         const std::vector<Simplex> simplices = those_that_are(points, strongly);
         for (const Simplex& simplex : simplices) {
-          for (const Simplex& face : optimality::faces(simplex)) {
+          for (const Simplex& face : faces(simplex)) {
             RC_ASSERT(std::count(simplices.begin(), simplices.end(), face) == 1);
           }
         }
@@ -173,7 +173,6 @@ TEST_CASE("D3 every Delaunay triangulation has every strongly Delaunay simplex (
   }
 }
 
-// ---- Delaunay lemma property ----
 // D1: the Delaunay Lemma on all triangulations of small sets, Delaunay or not, each of its three
 // statements from its own definition. Book: Lemma 4.1, Theorem 4.4. D10: its weighted form.
 
@@ -336,5 +335,4 @@ TEST_CASE("D10 the weighted Delaunay Lemma, on all triangulations of some of the
 }
 
 }  // namespace
-
 }  // namespace circumspect::properties

@@ -11,9 +11,10 @@
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/delaunay/simplex_predicates.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -10,6 +10,7 @@
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
+#include "reference/delaunay/vertex_deletion.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -18,8 +18,6 @@ namespace {
 
 using Points = std::vector<Point>;
 
-// ---- The definitions ----
-
 // Does a polygon, or a segment, contain the segment xy, given its parts' intersections with that?
 bool contains_all(std::vector<Points> parts, const Point& x, const Point& y) {
   std::erase_if(parts, [](const Points& part) { return part.size() < 2; });
@@ -143,9 +141,7 @@ bool meets_interior(const Points& simplex, const Points& part) {
 Rational area(const Points& polygon, const std::vector<std::size_t>& axes) {
   Rational sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point& p = polygon[i];
-    const Point& q = polygon[(i + 1) % polygon.size()];
-    sum += p[axes[0]] * q[axes[1]] - p[axes[1]] * q[axes[0]];
+    sum += cross_product(polygon[i], polygon[(i + 1) % polygon.size()], axes[0], axes[1]);
   }
   return abs(sum);
 }
@@ -189,8 +185,6 @@ bool respects_by_definition(const PiecewiseLinearComplex& complex, const Regions
   return in_domain;
 }
 
-// ---- Simplices and points in them ----
-
 Point random_point_in(const Points& simplex) {
   Point sum(simplex[0].size());
   Rational total = 0;
@@ -219,8 +213,6 @@ Simplex random_simplex(const PiecewiseLinearComplex& complex) {
   }
   return simplex;
 }
-
-// ---- Laws ----
 
 void assert_visible_iff_seen(const PiecewiseLinearComplex& complex, const Regions& regions,
                              Vertex v, const Simplex& simplex) {

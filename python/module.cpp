@@ -197,35 +197,8 @@ std::string page_of(const circumspect_verdict* verdict) {
 
 // (holds, unique, canonical, text, json, rules, notes, page), with −1 for facts that are not known;
 // `page` is a function without arguments that returns HTML, or None. `brief`: neither JSON nor
-// page, for a mesh that is judged quickly.
-py::tuple check(const std::string& claim, const py::tuple& mesh,
-                const std::optional<py::tuple>& domain, std::int64_t threads,
-                std::int64_t max_violations, bool by_definition, bool oriented, bool merge,
-                bool allow_empty, const std::optional<std::string>& within, const std::string& name,
-                double limit, bool brief) {
-  const MeshArgument argument(mesh);
-  std::optional<DomainArgument> about;
-  if (domain) about.emplace(*domain);
-  circumspect_options options = CIRCUMSPECT_OPTIONS;
-  options.threads = threads;
-  options.max_violations = max_violations;
-  options.by_definition = by_definition ? 1 : 0;
-  options.oriented = oriented ? 1 : 0;
-  options.merge_equal_points = merge ? 1 : 0;
-  options.allow_empty = allow_empty ? 1 : 0;
-  options.within = within ? within->c_str() : nullptr;
-  options.mesh_name = name.c_str();
-  options.without_json = brief ? 1 : 0;
-  options.with_pictures = brief ? 0 : 1;
-  std::shared_ptr<circumspect_verdict> own;
-  const auto call = [&] {
-    circumspect_verdict* made = nullptr;
-    const circumspect_status status = circumspect_check(
-        claim.c_str(), argument.get(), about ? about->get() : nullptr, &options, &made);
-    own.reset(made, circumspect_verdict_free);
-    return status;
-  };
-  require_ok(brief ? made_here(call) : made(call, limit));
+// page.
+py::tuple parts_of(std::shared_ptr<circumspect_verdict> own, bool brief) {
   const circumspect_verdict* const verdict = own.get();
   py::dict rules;
   for (std::int64_t i = 0; i < circumspect_verdict_rule_count(verdict); ++i) {
@@ -243,6 +216,82 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
                         circumspect_verdict_unique(verdict), circumspect_verdict_canonical(verdict),
                         circumspect_verdict_text(verdict), circumspect_verdict_json(verdict), rules,
                         notes, page);
+}
+
+// See parts_of. `brief`: for a mesh that is judged quickly.
+py::tuple check(const std::string& claim, const py::tuple& mesh,
+                const std::optional<py::tuple>& domain, std::int64_t threads,
+                std::int64_t max_violations, bool by_definition, bool oriented, bool merge,
+                bool allow_empty, const std::optional<std::string>& within,
+                const std::string& demands, const std::string& name, double limit, bool brief,
+                const std::vector<std::string>& requirements,
+                const std::optional<std::string>& except_sharp) {
+  const MeshArgument argument(mesh);
+  std::vector<const char*> required;
+  for (const std::string& text : requirements) required.push_back(text.c_str());
+  std::optional<DomainArgument> about;
+  if (domain) about.emplace(*domain);
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  options.threads = threads;
+  options.max_violations = max_violations;
+  options.by_definition = by_definition ? 1 : 0;
+  options.oriented = oriented ? 1 : 0;
+  options.merge_equal_points = merge ? 1 : 0;
+  options.allow_empty = allow_empty ? 1 : 0;
+  options.within = within ? within->c_str() : nullptr;
+  options.demands = demands.c_str();
+  options.mesh_name = name.c_str();
+  options.without_json = brief ? 1 : 0;
+  options.with_pictures = brief ? 0 : 1;
+  options.require_count = static_cast<std::int64_t>(required.size());
+  options.require = required.data();
+  options.except_sharp = except_sharp ? except_sharp->c_str() : nullptr;
+  std::shared_ptr<circumspect_verdict> own;
+  const auto call = [&] {
+    circumspect_verdict* made = nullptr;
+    const circumspect_status status = circumspect_check(
+        claim.c_str(), argument.get(), about ? about->get() : nullptr, &options, &made);
+    own.reset(made, circumspect_verdict_free);
+    return status;
+  };
+  require_ok(brief ? made_here(call) : made(call, limit));
+  return parts_of(std::move(own), brief);
+}
+
+// What `check` returns, of cells: rows of sites, of vertices, of pairs of sites; starts and corners
+// of the cells; the two corners of a box, or nothing.
+py::tuple check_voronoi(std::int64_t dimension, const Doubles& sites, const Doubles& vertices,
+                        const Indices& cell_starts, const Indices& corners, const Indices& ridges,
+                        const std::optional<Doubles>& box, const std::string& within,
+                        std::int64_t max_violations, bool by_definition, const std::string& name,
+                        double limit) {
+  circumspect_voronoi diagram = CIRCUMSPECT_VORONOI;
+  diagram.dimension = dimension;
+  diagram.site_count = sites.size() / dimension;
+  diagram.sites = sites.data();
+  diagram.vertex_count = vertices.size() / dimension;
+  diagram.vertices = vertices.data();
+  diagram.cell_starts = cell_starts.data();
+  diagram.corners = corners.data();
+  diagram.ridge_count = ridges.size() / 2;
+  diagram.ridges = ridges.data();
+  diagram.box = box ? box->data() : nullptr;
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  options.max_violations = max_violations;
+  options.by_definition = by_definition ? 1 : 0;
+  options.within = within.c_str();
+  options.mesh_name = name.c_str();
+  options.with_pictures = 1;
+  std::shared_ptr<circumspect_verdict> own;
+  require_ok(made(
+      [&] {
+        circumspect_verdict* judged = nullptr;
+        const circumspect_status status = circumspect_check_voronoi(&diagram, &options, &judged);
+        own.reset(judged, circumspect_verdict_free);
+        return status;
+      },
+      limit));
+  return parts_of(std::move(own), false);
 }
 
 // Rows of `vertices` indices.
@@ -350,7 +399,12 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception<NoTriangulation>(module, "NoTriangulation", PyExc_LookupError);
   py::register_exception<Undecided>(module, "Undecided", PyExc_RuntimeError);
   module.attr("version") = circumspect_version();
-  module.def("check", &check);
+  module.def("check", &check, py::arg("claim"), py::arg("mesh"), py::arg("domain"),
+             py::arg("threads"), py::arg("max_violations"), py::arg("by_definition"),
+             py::arg("oriented"), py::arg("merge"), py::arg("allow_empty"), py::arg("within"),
+             py::arg("demands"), py::arg("name"), py::arg("limit"), py::arg("brief"),
+             py::arg("require") = std::vector<std::string>(), py::arg("except_sharp") = py::none());
+  module.def("check_voronoi", &check_voronoi);
   module.def("delaunay", &delaunay);
   module.def("constrained_delaunay", &constrained_delaunay);
   module.def("predicate", &predicate);

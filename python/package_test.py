@@ -153,6 +153,10 @@ def test_what_is_wrong_is_refused(arguments, error, message):
     ({"max_errors": -1}, ValueError, "a number of witnesses"),
     ({"by": "guess"}, ValueError, "by='lemma'"),
     ({"within": 1}, ValueError, "a domain beside within"),
+    ({"require": "min-angle"}, ValueError, "min-angle:20.7deg"),
+    ({"require": "volume:1"}, ValueError, "a measure of triangles"),
+    ({"require": [20.7]}, TypeError, "texts such as 'min-angle:20.7deg' as require, found 20.7"),
+    ({"except_sharp": "60deg"}, ValueError, "requirements beside `except_sharp`"),
     ({"domain": {"corners": []}}, ValueError, "a domain with the keys"),
     ({"domain": 7}, TypeError, "found int"),
     ({"domain": {"points": [[0, 0], [1, 1], [1, 0], [0, 1]], "segments": [[0, 1], [2, 3]]}}, circumspect.InputError,
@@ -162,6 +166,19 @@ def test_what_is_wrong_is_refused(arguments, error, message):
 def test_options_that_are_wrong_are_refused(options, error, message):
     with pytest.raises(error, match=message):
         circumspect.check(POINTS, RIGHT, **options)
+
+
+def test_requirements():
+    square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    halves = [[0, 1, 2], [0, 2, 3]]
+    assert circumspect.check(square, halves, require="min-angle:45deg")
+    verdict = circumspect.check(square, halves, require=["min-angle:45deg", "max-angle <= 89deg"])
+    assert not verdict and verdict.rules == {"quality.max-angle": 2}
+    assert circumspect.check(square, halves, require="max-angle:89deg", except_sharp="91deg")
+    with pytest.raises(AssertionError, match="measured 90deg, required max-angle <= 89deg"):
+        circumspect.assert_delaunay(square, halves, require="max-angle:89deg")
+    with pytest.raises(ValueError, match="nothing is proved of the shape of simplices"):
+        circumspect.certify(square, halves, require="max-angle:89deg")
 
 
 def test_indices_of_no_point_are_the_meshs_fault():

@@ -5,7 +5,7 @@
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/delaunay/genericity.hpp"
 
 namespace circumspect::reference {
 

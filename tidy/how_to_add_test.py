@@ -22,12 +22,13 @@ import tidy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = (ROOT / "docs" / "how-to-add.md").read_text(encoding="utf-8")
-RULE, FAMILY = "triangulation.index-of-none", "axes"
+RULE, FAMILY, ENDING = "triangulation.index-of-none", "axes", ".neutral"
 # The issue of a stranger: how many files have to be found and changed by hand.
-MOST_PLACES = {"A rule": 6, "A family of inputs": 4}
+MOST_PLACES = {"A rule": 6, "A format": 5, "A family of inputs": 4}
 # What is built, and the names of the tests in it.
 TESTS = {"A rule": (["judge_points_test", "picture_test", "corpus_test"],
                     "^(oracle/judge/points|oracle/picture)/[a-z]+_test$|^corpus/corpus_test$"),
+         "A format": (["formats_test"], "^oracle/formats/[a-z_]+_test$"),
          "A family of inputs": (["inputs_test"], "^inputs/[a-z]+_test$")}
 CACHED = re.compile(r"^((?:CMAKE_(?:CXX_COMPILER|CXX_COMPILER_LAUNCHER|BUILD_TYPE)|CIRCUMSPECT_QUICK_BUILD):\w+=.*)$", re.MULTILINE)
 
@@ -152,6 +153,7 @@ class Built(Followed):
         command = str(root / "build/release/bin/circumspect")
         run(root, "python3", "tidy/rule_pages.py", command)
         self.assertTrue(run(root, command, "generate", FAMILY, "--seed", "1"))
+        self.assertIn(ENDING, run(root, command, "check", "--help"))
         was, now = self.golden, self.golden_rows()
         self.assertEqual([row for row in was if row not in now], [], "golden rows of before are to stay")
         self.assertEqual({row.split("\t")[0].removesuffix(" --format json") for row in now if row not in was},

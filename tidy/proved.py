@@ -3,7 +3,7 @@
 
     proved.py             what is not as it should be, one line each; exit 1 if there is something
 
-Every notion of the book in proofs/Definitions.v and proofs/Domains.v stands in docs/theory/definitions.md.
+Every notion in proofs/Definitions.v, proofs/Domains.v and proofs/Complexes.v stands in docs/theory/definitions.md.
     proved.py --update    write the table of rules anew
 
 A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
@@ -40,6 +40,8 @@ def shown():
         rule = {"domain.uncovered-inside": "domain.uncovered"}.get(rule, rule)
         if claim in OF_POINTS:
             theorems.setdefault((rule, "points"), set()).add("verified_rule")
+        elif claim == "complex":
+            theorems.setdefault((rule, "points"), set()).add("verified_not_complex")
         else:
             theorem = "verified_whole_domain_rule" if kind else "verified_domain_rule"
             theorems.setdefault((rule, "domains"), set()).add(theorem)
@@ -113,7 +115,8 @@ def faults_of_claims(lines):
 def notions():
     """What the definitions of the book are called, up to the rules."""
     for path, begin, end in (("proofs/Definitions.v", "Section Book.", "(** ** Rules that a mesh may break"),
-                             ("proofs/Domains.v", "Section Book.", "End Book.")):
+                             ("proofs/Domains.v", "Section Book.", "End Book."),
+                             ("proofs/Complexes.v", "Section Complex.", "End Complex.")):
         book = text(path).split(begin, 1)[1].split(end, 1)[0]
         yield from re.findall(r"^(?:Definition|Inductive|Record|Fixpoint) (\w+)", book, re.MULTILINE)
 
@@ -125,7 +128,7 @@ def faults_of_notions():
     for name in sorted(set(notions()) - set(listed)):
         yield f"{page}: the notion {name} is left out"
     for name in sorted(set(listed) - set(notions())):
-        yield f"{page}: {name} is no notion of proofs/Definitions.v or proofs/Domains.v"
+        yield f"{page}: {name} is no notion of proofs/Definitions.v, proofs/Domains.v or proofs/Complexes.v"
 
 
 def main(arguments):

@@ -37,12 +37,18 @@ ARROWS = {
     "oracle/formats": ["oracle/formats/bytes"],
     "oracle/judge/definition": ["oracle/model"],
     "oracle/judge/complex": ["oracle/judge/definition"],
-    "oracle/judge/points": ["oracle/judge/complex"],
+    "oracle/judge/convex_hull": ["oracle/judge/complex"],
+    "oracle/judge/surface": ["oracle/judge/complex"],
+    "oracle/judge/voronoi": ["oracle/judge/definition"],
+    "oracle/judge/conditions": [],
+    "oracle/judge/points": ["oracle/judge/convex_hull", "oracle/judge/surface", "oracle/judge/voronoi",
+                            "oracle/judge/conditions"],
     "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/fast"],
     "oracle/judge/within": ["oracle/judge/domain", "oracle/domain"],
     "oracle/judge/fast/predicates": ["kernel/exact"],
-    "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes"],
-    "oracle/judge": ["oracle/judge/domain"],
+    "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes", "oracle/judge/conditions"],
+    "oracle/judge/quality": ["oracle/judge/within"],
+    "oracle/judge": ["oracle/judge/quality"],
     "oracle/distributed": ["oracle/judge", "oracle/report"],
     "oracle/judge/cause": ["oracle/judge", "oracle/report"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
@@ -91,6 +97,8 @@ CGAL_FOLDERS = ["bench", "properties/adapters"]
 FLOATING_FILES = ["kernel/piecewise_linear/cell_index.hpp",
                   "kernel/piecewise_linear/cell_index.cpp"]
 NUMBER_LIBRARY_FOLDERS = ["kernel/exact", "bench"]
+# The vector algebra: everything else asks these for a cross product.
+CROSS_PRODUCT_FILES = ["kernel/exact/point.cpp", "kernel/exact/triple.hpp"]
 
 # What `make web` compiles against libc++ 14, which has no algorithms of ranges.
 WEB_FOLDERS = ["kernel", "reference", "oracle", "inputs", "command"]
@@ -110,6 +118,11 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 NUMBER_LIBRARY = re.compile(r"\b(mp[zqf]_\w+|mpfr_\w+|__gmp\w+|gmp_\w+)|<(gmp|gmpxx|mpfr)\.h>")
 RANGES = re.compile(r"\bstd::(ranges|views)::")
 FLOATING = re.compile(r"\b(float|double)\b")
+# A coordinate such as a[1], a.at[axes[0]] or a.x, and a difference of two; the places are the groups.
+COORDINATE = r"\b[A-Za-z_]\w*(?:\.at)?(?:\[(?:[^\[\]\n]|\[\w+\])+\]|\.[xyz]\b)"
+FACTOR = rf"({COORDINATE}|\({COORDINATE}\s-\s{COORDINATE}\))"
+CROSSWISE = re.compile(rf"{FACTOR}\s+\*\s+{FACTOR}(?:\s+[-<>]\s+|\s+==\s+|,\s+){FACTOR}\s+\*\s+{FACTOR}")
+PLACE = re.compile(r"\[(?:[^\[\]]|\[\w+\])+\]|\.[xyz]\b")
 BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?-{3,} .*-{3,}")
 COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP, "//")}
 NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
@@ -155,6 +168,17 @@ def code_only(text):
         return re.sub(r"[^\n]", " ", match[0])
 
     return NOT_CODE.sub(blank, text)
+
+
+def is_cross_product(factors):
+    """Are these a, b, c, d, with a·b − c·d a cross product: two vectors at two places crosswise?"""
+    places = [set(PLACE.findall(factor)) for factor in factors]
+    if any(len(one) != 1 for one in places) or places[0] == places[1]:
+        return False
+    first, second = ([(PLACE.sub("", factor), *place) for factor, place in zip(pair, at)]
+                     for pair, at in [(factors[:2], places[:2]), (factors[2:], places[2:])])
+    crosswise = [(first[0][0], first[1][1]), (first[1][0], first[0][1])]
+    return sorted(second) == sorted(crosswise)
 
 
 def is_table(body):
@@ -285,6 +309,12 @@ class Tidy:
                     and path not in FLOATING_FILES:
                 self.fault(path, number, "floating-point",
                            "kernel and reference compute exactly; take a Rational")
+
+        if not is_test(path) and path not in CROSS_PRODUCT_FILES:
+            for product in CROSSWISE.finditer(code):
+                if is_cross_product(product.groups()):
+                    self.fault(path, code.count("\n", 0, product.start()) + 1, "cross-product",
+                               "call cross_product of kernel/exact/point.hpp or triple.hpp")
 
     def include(self, path, number, quote, target):
         if target.startswith("CGAL/"):

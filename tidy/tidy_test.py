@@ -106,6 +106,18 @@ class Libraries(unittest.TestCase):
                      "/* a\n double */\n", 'R"(\n" double "\n)";\n', "f('\"', 1'000); // double '\n"]:
             self.assertEqual(rules("reference/delaunay/a.cpp", text), [], text)
 
+    def test_vector_algebra_stands_in_one_place(self):
+        for text in ["x = a[1] * b[2] - a[2] * b[1];\n", "f(u[0] * v[1], u[1] * v[0]);\n",
+                     "x = a.x * b.y - b.x * a.y;\n", "x = p[axes[0]] * q[axes[1]] - q[axes[0]] * p[axes[1]];\n",
+                     "x = a.at[1] * b.at[2] -\n    a.at[2] * b.at[1];\n", "b = u[0] * v[1] < u[1] * v[0];\n",
+                     "x = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);\n"]:
+            self.assertEqual(rules("oracle/judge/within/a.cpp", text), ["cross-product"], text)
+            self.assertEqual(rules("kernel/exact/point.cpp", text), [], text)
+            self.assertEqual(rules("oracle/judge/within/a_test.cpp", text), [], text)
+        for text in ["x = a[0] * b[0] - a[1] * b[1];\n", "x = a[0] * b[1] - c[1] * d[0];\n",
+                     "x = a[0] * b[1] + a[1] * b[0];\n", "// a[1] * b[2] - a[2] * b[1]\n",
+                     "x = m[i][j] * m[k][k] - m[i][k] * m[k][j];\n"]:
+            self.assertEqual(rules("oracle/judge/within/a.cpp", text), [], text)
 
     def test_what_runs_in_a_browser_has_no_algorithms_of_ranges(self):
         for folder in ["reference/delaunay", "oracle/judge/points", "command/check"]:

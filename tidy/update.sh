@@ -8,6 +8,6 @@ cd "$(dirname "$0")/.."
 export PYTHONDONTWRITEBYTECODE=1
 python3 corpus/make/make.py
 python3 corpus/golden.py "$command" --update
-python3 tidy/proved.py --update
 python3 tidy/readme.py "$command" --update
+python3 tidy/proved.py --update
 oracle/picture/page/images.sh "$command" docs/images

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "command/build/mesh_output.hpp"
+#include "command/build/point_constructions.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
@@ -20,8 +21,8 @@
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
+#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lexicographic.hpp"
-#include "reference/delaunay/simplex_predicates.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -299,6 +300,7 @@ void add_build(CLI::App& app, ExitCode& exit_code) {
   add_triangulation(*build, "lexicographic",
                     "The lexicographic triangulation, which is not Delaunay in general", exit_code);
   add_build_subdivision(*build, exit_code);
+  add_build_voronoi(*build, exit_code);
   add_build_all_triangulations(*build, exit_code);
   add_build_constrained(*build, exit_code);
 }

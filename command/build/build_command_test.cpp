@@ -12,7 +12,6 @@
 
 namespace circumspect::cli {
 
-// ---- Build ----
 // circumspect build and inspect, as their users run them.
 
 namespace {
@@ -347,7 +346,6 @@ TEST_CASE("inspect: several inputs, the worst exit code, one JSON document") {
 
 }  // namespace
 
-// ---- Another CDT ----
 // build cdt of domains that have a CDT, but not the canonical one, as its users run it.
 
 TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if there is any") {
@@ -385,7 +383,6 @@ TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if 
   }
 }
 
-// ---- Steiner points ----
 // build steiner-cdt: which algorithm makes it, and how many Steiner points it takes.
 
 TEST_CASE("build steiner-cdt: all algorithms give the same files") {

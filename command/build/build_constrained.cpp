@@ -19,6 +19,7 @@
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -210,12 +211,10 @@ ExitCode run(const ConstrainedOptions& options) {
   }
   const bool to_json = options.output.format == OutputFormat::kJson;
   if (options.output_file.empty() && options.html.empty() && !to_json) {
-    return usage_error(
-        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, OUT.json, --format "
-        "json or --html FILE, found none");
+    return usage_error(fmt::format("expected -o OUT{}, --format json or --html FILE, found none",
+                                   fmt::join(endings_of_domain_meshes(), ", OUT")));
   }
-  const std::string name_fault = output_name_fault(
-      options.output_file, {".ele", ".mesh", ".msh", ".vtu", ".obj", ".ply", ".json"});
+  const std::string name_fault = output_name_fault(options.output_file, endings_of_domain_meshes());
   if (!options.output_file.empty() && !name_fault.empty()) {
     return usage_error(name_fault);
   }
@@ -292,9 +291,10 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   command
       ->add_option(
           "-o,--output", options->output_file,
-          "The file to write: .ele, .mesh, .msh, .vtu or .json; for viewers, .obj or .ply has "
-          "the surface. - writes the .ele to stdout, if there are neither dangling faces nor "
-          "Steiner points")
+          fmt::format(
+              "The file to write: {}; .obj and .ply have the surface, for viewers. - writes "
+              "the .ele to stdout, if there are neither dangling faces nor Steiner points",
+              fmt::join(endings_of_domain_meshes(), ", ")))
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command

@@ -13,6 +13,7 @@
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::cli {

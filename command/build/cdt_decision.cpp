@@ -10,7 +10,7 @@
 
 #include "command/options/whole_number.hpp"
 #include "kernel/complex/point_set.hpp"
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/planar_cdt.hpp"

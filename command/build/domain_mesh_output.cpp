@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "command/output/output.hpp"
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/formats/ply.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/report/text.hpp"
 
@@ -59,9 +57,7 @@ formats::SimplexFile dangling(const DomainMesh& mesh, std::size_t size, Vertex f
 formats::PointFile points_of(const DomainMesh& mesh, Vertex first_index) {
   formats::PointFile file;
   file.dimension = mesh.points.ambient_dimension() + (mesh.height ? 1 : 0);
-  for (Vertex v = 0; v < static_cast<Vertex>(mesh.points.size()); ++v) {
-    file.points.push_back(mesh.as_given(v));
-  }
+  for (Vertex v = 0; mesh.points.names(v); ++v) file.points.push_back(mesh.as_given(v));
   file.first_index = first_index;
   return file;
 }
@@ -85,25 +81,22 @@ formats::ElementFile element_file(const DomainMesh& mesh, Vertex first_index) {
   return file;
 }
 
-// What writes all in one file of this extension; null if it is another.
-using ElementWriter = void (*)(std::ostream&, const formats::ElementFile&);
-ElementWriter writer_of(const std::string& extension) {
-  if (extension == ".mesh") return formats::write_medit;
-  if (extension == ".msh") return formats::write_gmsh;
-  if (extension == ".obj") return formats::write_obj;
-  if (extension == ".ply") return formats::write_ply;
-  return extension == ".vtu" ? formats::write_vtu : nullptr;
-}
-
 // Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any
 // name, has nothing beside it.
 bool has_files_beside(const std::string& path) { return formats::extension(path) == ".ele"; }
 bool is_stream(const std::string& path) {
   const std::string end = formats::extension(path);
-  return end != ".ele" && end != ".json" && writer_of(end) == nullptr;
+  return end != ".ele" && end != ".json" && formats::writer_of(end) == nullptr;
 }
 
 }  // namespace
+
+std::vector<std::string_view> endings_of_domain_meshes() {
+  std::vector<std::string_view> endings = formats::written_endings();
+  endings.insert(endings.begin(), ".ele");
+  endings.push_back(".json");
+  return endings;
+}
 
 std::string numbering_fault(const DomainMesh& mesh, Vertex first_index) {
   if (has_room(first_index, mesh.points.size())) return "";
@@ -128,15 +121,13 @@ std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh) {
                    report::counted(steiner_points, "Steiner point"));
   }
   if (lost.empty()) return "";
-  return fmt::format(
-      "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, OUT.json or --format "
-      "json, found -o {}, "
-      "which would lose {}",
-      path, fmt::join(lost, " and "));
+  return fmt::format("expected -o OUT{} or --format json, found -o {}, which would lose {}",
+                     fmt::join(endings_of_domain_meshes(), ", OUT"), path,
+                     fmt::join(lost, " and "));
 }
 
 std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index) {
-  if (const ElementWriter write = writer_of(formats::extension(path))) {
+  if (const formats::ElementWriter write = formats::writer_of(formats::extension(path))) {
     return write_file(
         path, [&](std::ostream& stream) { write(stream, element_file(mesh, first_index)); });
   }

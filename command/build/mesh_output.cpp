@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "kernel/complex/simplex.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "oracle/formats/json.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "reference/delaunay/flip.hpp"
-#include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/delaunay/lifted_hull.hpp"
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/tetgen.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::cli {
-
 namespace {
 
 // The empty set has no simplices, but a file of them still says how many vertices each has.
@@ -64,23 +68,24 @@ formats::PointFile point_file(const ExactMesh& mesh, const std::vector<Duplicate
   formats::PointFile file;
   file.dimension = std::max<std::size_t>(points.ambient_dimension(), 1);
   file.first_index = mesh.first_index;
-  file.points.resize(points.size() + merged.size());
-  if (points.is_weighted()) file.attributes.resize(file.points.size());
+  std::vector<Point> all(points.size() + merged.size());
+  if (points.is_weighted()) file.attributes.resize(all.size());
   for (Vertex v = 0; points.names(v); ++v) {
     const auto place = static_cast<std::size_t>(place_of_index(mesh.label(v), mesh.first_index));
-    file.points[place] = points[v];
+    all[place] = points[v];
     if (points.is_weighted()) file.attributes[place] = {points.weight(v)};
   }
   const auto copy_missing = [&](Vertex from, Vertex to) {
     const auto source = static_cast<std::size_t>(from);
     const auto target = static_cast<std::size_t>(to);
-    if (!file.points[target].empty()) return;
-    file.points[target] = file.points[source];
+    if (!all[target].empty()) return;
+    all[target] = all[source];
     if (points.is_weighted()) file.attributes[target] = file.attributes[source];
   };
   // Of equal points with weights, any may be the one that is left.
   for (const auto& [kept, again] : merged) copy_missing(again, kept);
   for (const auto& [kept, again] : merged) copy_missing(kept, again);
+  file.points = all;
   return file;
 }
 
@@ -124,67 +129,6 @@ formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangul
   file.has_simplices = true;
   file.simplices = simplex_file({mesh.points, {}, {}, mesh.first_index}, triangulation);
   return file;
-}
-
-// ---- Constructions ----
-
-namespace {
-
-// A construction that takes no options.
-Construction plain(Triangulation (*construct)(const PointSet&)) {
-  return
-      [construct](const PointSet& points, const ConstructionOptions&) { return construct(points); };
-}
-
-Triangulation by_insertion(const PointSet& points, const ConstructionOptions& options) {
-  delaunay::BowyerWatsonOptions how = options.bowyer_watson;
-  if (options.steps != nullptr) {
-    how.watch = [&options](const auto& insertion) { options.steps->inserted(insertion); };
-  }
-  return delaunay::bowyer_watson(points, how, options.statistics);
-}
-
-Triangulation by_flips(const PointSet& points, const ConstructionOptions& options) {
-  if (options.steps == nullptr) return delaunay::flip_insertion(points);
-  return delaunay::flip_insertion(
-      points, [&options](const delaunay::FlipStep& step) { options.steps->flipped(step); });
-}
-
-Triangulation by_wrapping(const PointSet& points, const ConstructionOptions& options) {
-  if (options.steps == nullptr) return delaunay::gift_wrapping(points);
-  return delaunay::gift_wrapping(points, [&options](const auto& facet, std::optional<Vertex> apex) {
-    options.steps->finished(facet, apex);
-  });
-}
-
-Triangulation by_lifting(const PointSet& points, const ConstructionOptions& options) {
-  if (options.steps == nullptr) return delaunay::lifted_hull(points);
-  return delaunay::lifted_hull(points, [&options](const Face& facet, bool is_lower) {
-    options.steps->wrapped(facet, is_lower);
-  });
-}
-
-}  // namespace
-
-const std::map<std::string, Construction>& constructions() {
-  static const std::map<std::string, Construction> table = {
-      {"bowyer-watson", by_insertion},
-      {"by-definition", plain(delaunay::by_definition)},
-      {"flips", by_flips},
-      {"gift-wrapping", by_wrapping},
-      {"gift-wrapping-cells", plain(delaunay::gift_wrapping_by_cells)},
-      {"lifted-hull", by_lifting},
-      {"lifted-hull-by-definition", plain(delaunay::lifted_hull_by_definition)},
-  };
-  return table;
-}
-
-std::string construction_names() {
-  std::string names;
-  for (const auto& [name, construction] : constructions()) {
-    names += (names.empty() ? "" : "|") + name;
-  }
-  return names;
 }
 
 }  // namespace circumspect::cli

@@ -1,19 +1,15 @@
-// Writes triangulations to files, and lists the constructions that make them, by name.
+// Writes triangulations to files.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "command/build/steps.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::cli {
 
@@ -44,24 +40,5 @@ formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& 
 // The document lists the points itself, without those that were merged, so that vertices are
 // counted among these.
 formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation);
-
-// ---- Constructions ----
-// The constructions of the canonical Delaunay triangulation, by the names that users type.
-
-// What a construction may be told, and what it may tell. Orders and locations concern
-// Bowyer–Watson.
-struct ConstructionOptions {
-  delaunay::BowyerWatsonOptions bowyer_watson = {};
-  delaunay::Statistics* statistics = nullptr;
-  Steps* steps = nullptr;
-};
-
-using Construction = std::function<Triangulation(const PointSet&, const ConstructionOptions&)>;
-
-// All give the same set of simplices. A new algorithm is one line here.
-const std::map<std::string, Construction>& constructions();
-
-// "bowyer-watson|by-definition|…"
-std::string construction_names();
 
 }  // namespace circumspect::cli

@@ -108,8 +108,6 @@ std::string Steps::why_in_ball(const Simplex& simplex, Vertex v) const {
              : "it lies on the circumsphere, and the perturbation puts it inside";
 }
 
-// ---- Bowyer–Watson ----
-
 void Steps::inserted(const delaunay::Insertion& insertion) {
   const int k = mesh_.points.dimension();
   const std::string in_space = k == 3 ? "3D" : "";
@@ -152,8 +150,6 @@ void Steps::inserted(const delaunay::Insertion& insertion) {
   filled["created"] = solid(insertion.created);
 }
 
-// ---- Gift-wrapping ----
-
 void Steps::finished(const OrientedFacet& facet, std::optional<Vertex> apex) {
   const std::string unfinished = fmt::format(
       "{} {} is unfinished.", frames_.empty() ? "A facet of the hull is the seed:" : "The facet",
@@ -172,8 +168,6 @@ void Steps::finished(const OrientedFacet& facet, std::optional<Vertex> apex) {
   next["created"] = Json::array({simplex});
   if (!mesh_.points.is_weighted()) next["ball"] = simplex;
 }
-
-// ---- Flips ----
 
 void Steps::flipped(const delaunay::FlipStep& step) {
   const delaunay::ExtendedFlip& flip = step.flip;
@@ -210,8 +204,6 @@ void Steps::flipped(const std::string& polygon, const constrained::TimedFlip& ti
   next["created"] = timed.flip.created;
 }
 
-// ---- Lifted hull ----
-
 void Steps::wrapped(const Face& facet, bool is_lower) {
   is_lifted_ = mesh_.points.ambient_dimension() == 2;
   if (frames_.empty()) {
@@ -231,8 +223,6 @@ void Steps::wrapped(const Face& facet, bool is_lower) {
     next["look"] = Json::array({facet});
   }
 }
-
-// ---- All ----
 
 void Steps::begun(const std::vector<Simplex>& simplices, const std::string& words) {
   frame("Begin", words)["created"] = simplices;

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "kernel/complex/polytope.hpp"
-#include "kernel/complex/triangulation.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/report/json.hpp"
-#include "reference/constrained/cdt_by_polygon_insertion.hpp"
+#include "reference/constrained/flip_insert_polygon.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::cli {
 

@@ -14,8 +14,9 @@ std::string with_rows(const std::string& rows) {
          rows + "' whole.ele > \"$2\"\n";
 }
 
-const Arguments kAsked = {"--claim", "complex", "--cases", "40", "--max-points", "9",
-                          "--minimize-runs", "20", "--full-dimension"};
+const Arguments kAsked = {"--claim",         "complex", "--cases",         "40",
+                          "--max-points",    "9",       "--minimize-runs", "20",
+                          "--full-dimension"};
 
 TEST_CASE("campaign --claim complex: a right program holds") {
   const Program right(kRight);
@@ -25,9 +26,13 @@ TEST_CASE("campaign --claim complex: a right program holds") {
 }
 
 TEST_CASE("campaign --claim complex: a simplex that is listed twice is found, and made small") {
-  const Program twice(with_rows("NF && !/^#/ { if (!n++) { print $1 + 1, $2, $3; next } "
-                                "if (n == 2) first = $0; print } END { print first }"));
-  const Run failed = run(twice.campaign(kAsked));
+  const Program twice(
+      with_rows("NF && !/^#/ { if (!n++) { print $1 + 1, $2, $3; next } "
+                "if (!first) { first = $0; sub(/^ *[0-9]+/, \"\", first) } last = $1; print } "
+                "END { print last + 1 first }"));
+  Arguments asked = kAsked;
+  asked.push_back("--go-on");  // it fails on every input
+  const Run failed = run(twice.campaign(asked));
   CHECK(failed.exit_code == 1);
   CHECK(twice.signatures() == std::set<std::string>{"complex.duplicate-simplex"});
   CHECK(has(twice.finding("complex.duplicate-simplex", "reproduce.sh"), "--claim complex"));

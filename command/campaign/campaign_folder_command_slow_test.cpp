@@ -9,7 +9,6 @@
 
 namespace circumspect::cli {
 
-// ---- Campaign folder command ----
 // circumspect campaign with programs, names and folders that would lead it astray.
 
 namespace {
@@ -225,7 +224,6 @@ TEST_CASE("campaign: says what kept the programs together") {
   CHECK(has(text.out, "note: a supervisor contained the programs"));
 }
 
-// ---- Campaign page command ----
 // campaign --html: a page of what was found.
 
 namespace fs = std::filesystem;

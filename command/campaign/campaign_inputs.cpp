@@ -15,6 +15,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -123,7 +124,7 @@ tl::expected<campaign::Input, std::string> points_input(const campaign::Subject&
                                                         const std::string& path) {
   auto raw = formats::read_points(path, NumberReading::kDouble);
   if (!raw) return tl::unexpected(raw.error().to_string());
-  generators::PointsCase set{std::move(raw->points.points), {}};
+  generators::PointsCase set{raw->points.points.points(), {}};
   if (subject.claim == Claim::kWeightedDelaunay) {
     set.weights = std::move(raw->weights);
     if (set.weights.empty()) {

@@ -6,6 +6,7 @@
 #include "command/options/option_rows.hpp"
 #include "command/options/quantity.hpp"
 #include "command/options/whole_number.hpp"
+#include "oracle/formats/format.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -58,8 +59,8 @@ std::vector<OptionRow> rows_of_calls(SubjectOptions& options) {
       {"--mesh", "NAME", into(options.mesh_name),
        "The name of the file to which the program writes the mesh (default: x.ele). {mesh} stands "
        "for this name; if the program chooses the name itself, give that one, such as x.1.ele for "
-       "tetgen. Its extension selects the format: .ele, .qhull-i, .off, .mesh, .msh, .vtk, .vtu, "
-       ".tet, .json"},
+       "tetgen. Its extension selects the format: " +
+           formats::endings_of(&formats::Format::has_mesh)},
       {"--stdin", "", flag(options.reads_stdin), "The program reads the input from stdin"},
       {"--stdout", "", flag(options.writes_stdout), "The program writes the mesh to stdout"},
       {"--worker", "", flag(options.is_worker),

@@ -1,14 +1,18 @@
 // The options of campaign and minimize that describe the program under test.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command/options/domain_options.hpp"
-#include "fuzz/campaign/outcome.hpp"
+#include "fuzz/process/process.hpp"
 #include "inputs/minimise.hpp"
+#include "inputs/relations.hpp"
 #include "inputs/untidy.hpp"
+#include "inputs/updates.hpp"
 
 namespace CLI {
 class App;

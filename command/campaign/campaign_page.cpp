@@ -11,6 +11,7 @@
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/model/printable.hpp"
 
 namespace circumspect::cli {

@@ -344,8 +344,6 @@ std::string campaign_annotations(const Result& result, const std::string& progra
   return lines;
 }
 
-// ---- Campaign stop ----
-
 namespace {
 
 std::atomic<bool> stop = false;

@@ -35,7 +35,6 @@ std::string campaign_annotations(const campaign::Result& result, const std::stri
 // How many cases were judged: neither skipped nor refused.
 std::size_t judged_cases(const campaign::Result& result);
 
-// ---- Stopping ----
 // Ctrl-C for commands that keep what they have.
 
 // Becomes true at the first SIGINT or SIGTERM; the next one ends the process. The handler is

@@ -9,6 +9,7 @@
 
 #include "command/options/usage_faults.hpp"
 #include "fuzz/campaign/input.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
 
@@ -67,9 +68,8 @@ std::string worker_fault_of(const SubjectOptions& options, const Subject& subjec
 }
 
 bool is_mesh_extension(const std::string& extension) {
-  constexpr std::array<std::string_view, 9> kMeshes = {".ele", ".qhull-i", ".off", ".mesh", ".msh",
-                                                       ".vtk", ".vtu",     ".tet", ".json"};
-  return std::find(kMeshes.begin(), kMeshes.end(), extension) != kMeshes.end();
+  const formats::Format* const format = formats::format_of(extension);
+  return format != nullptr && format->has_mesh();
 }
 
 // What does not go together; empty if all does.
@@ -94,9 +94,8 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
                            : ".node, .qhull, .off, .json, .xyz or .case",
                    subject.input_name)},
       {!is_mesh_extension(formats::extension(subject.mesh_name)),
-       fmt::format("expected a name of the mesh that ends in .ele, .qhull-i, .off, .mesh, .msh, "
-                   ".vtk, .vtu, .tet or .json, found {}",
-                   subject.mesh_name)},
+       fmt::format("expected a name of the mesh that ends in one of {}, found {}",
+                   formats::endings_of(&formats::Format::has_mesh), subject.mesh_name)},
       {domains && options.dimension != 2 && options.dimension != 3,
        "expected --dimension 2 or 3 for domains"},
       {subject.is_untidy && !domains,
@@ -106,6 +105,8 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
        "has many domains"},
       {!options.is_worker && has_updates,
        "expected --worker with --updates, found none: such a program must go on after each mesh"},
+      {subject.claim == Claim::kVoronoi,
+       "expected a claim about meshes, which programs make in campaigns, found voronoi"},
       options.is_worker ? worker_fault_of(options, subject) : "",
       {has_updates && !subject.relations.empty(),
        "expected --metamorphic or --updates, found both"},

@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "command/campaign/campaign_options.hpp"
-#include "fuzz/campaign/outcome.hpp"
+#include "fuzz/campaign/subject.hpp"
 
 namespace circumspect::cli {
 

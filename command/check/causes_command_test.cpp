@@ -70,8 +70,9 @@ TEST_CASE("check: the cause is told by the indices of the file") {
   Square square;
   const Run failed = run({"check", square.written(8, 1), "--max-errors", "1"});
   CHECK(failed.exit_code == 1);
-  CHECK(has(failed.out, "cause: indices seem to begin at 1, not at 0: so read, the claim holds "
-                        "(explains all "));
+  CHECK(has(failed.out,
+            "cause: indices seem to begin at 1, not at 0: so read, the claim holds "
+            "(explains all "));
 }
 
 TEST_CASE("check: a flat triangle does not silence what else is wrong") {
@@ -81,8 +82,9 @@ TEST_CASE("check: a flat triangle does not silence what else is wrong") {
   const Run failed = run({"check", mesh});
   CHECK(failed.exit_code == 1);
   CHECK(has(failed.out, "simplex.degenerate 1"));
-  CHECK(has(failed.out, "1 triangle is set apart: flat, listed twice, or no simplices; the others "
-                        "do not form a complex: complex.overlap 1"));
+  CHECK(has(failed.out,
+            "1 triangle is set apart: flat, listed twice, or no simplices; the others "
+            "do not form a complex: complex.overlap 1"));
 }
 
 }  // namespace circumspect::cli

@@ -16,7 +16,7 @@
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/constructions.hpp"
-#include "reference/existence/existence.hpp"
+#include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -220,6 +220,18 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
   }
   return is_written(
       path, [&](std::ostream& out) { certificate::write(out, mesh, *document); }, output);
+}
+
+bool write_equal_points(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
+                        const Verdict& verdict, Output& output) {
+  const auto equal = certificate::equal_points_of(mesh, verdict);
+  if (!equal) {
+    output.error(ExitCode::kUsage, "mesh", mesh_name,
+                 fmt::format("{}: {}", mesh_name, equal.error()));
+    return false;
+  }
+  return is_written(
+      path, [&](std::ostream& out) { certificate::write(out, mesh, *equal); }, output);
 }
 
 std::string certificate_fault(const DomainOptions& said) {

@@ -8,6 +8,7 @@
 #include "command/options/domain_options.hpp"
 #include "command/output/output.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::cli {
@@ -16,6 +17,11 @@ namespace circumspect::cli {
 // cannot be written, says so on stderr and in the exit code. True if it was written.
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output);
+
+// The same for the claim complex of a mesh in which points are equal. Requires: the verdict says
+// so.
+bool write_equal_points(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
+                        const Verdict& verdict, Output& output);
 
 // The same for a claim about a domain.
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,

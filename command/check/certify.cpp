@@ -12,13 +12,17 @@
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/threads.hpp"
+#include "command/options/usage_faults.hpp"
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -35,7 +39,8 @@ struct CertifyOptions {
   InputOptions input;
   OutputOptions output;
   check::By by = check::By::kLemma;
-  std::uint64_t threads = 0;  // 0: as many as the machine has
+  std::uint64_t threads = 0;          // 0: as many as the machine has
+  std::vector<std::string> required;  // refused
 };
 
 void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& mesh,
@@ -101,6 +106,11 @@ void certify(const CertifyOptions& options, Output& output) {
   const Claim claim = options.asked.value_or(
       about == nullptr ? Claim::kDelaunay : default_claim(loaded->mesh, *about));
   const check::Options judging = {.by = options.by, .threads = threads};
+  if (const std::string missing = check::fault_of_claim(claim, loaded->mesh, judging);
+      !missing.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, options.mesh + ": " + missing);
+    return;
+  }
   output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));
   const auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, judging, about);
   if (!verdict) {
@@ -108,6 +118,12 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   output.notes(loaded->notes);
+  if (verdict->tallies().contains(Rule::kPointsEqual)) {
+    if (write_equal_points(options.certificate, options.mesh, loaded->mesh, *verdict, output)) {
+      report(options, *verdict, loaded->mesh, about, output);
+    }
+    return;
+  }
   const ExactMesh mesh = exact(loaded->mesh);
   output.end_watch();
   const bool written =
@@ -121,21 +137,16 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  if (options.asked == Claim::kComplex) {
-    return "expected a claim of which something is proved, found complex";
-  }
-  const bool about_domain = options.asked && is_about_a_domain(*options.asked);
-  if (about_domain && !options.domain) {
-    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.asked));
-  }
-  if (options.asked && !about_domain && options.domain) {
-    return fmt::format("expected no --domain for the claim {}, found one", name(*options.asked));
-  }
-  if (options.said.is_given() && !options.domain) {
-    return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
-  }
-  if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
-  return domain_options_fault(options.said);
+  const bool is_unproved =
+      options.asked && is_about_a_list(*options.asked) && *options.asked != Claim::kComplex;
+  return first_fault(
+      {{!options.required.empty(),
+        "expected no --require of a certificate, found it: nothing is proved of the shape of "
+        "simplices; circumspect check judges it"},
+       {is_unproved, fmt::format("expected a claim of which something is proved, found {}",
+                                 is_unproved ? name(*options.asked) : "")},
+       domain_options_fault(options.said, options.asked, options.domain.has_value()),
+       certificate_fault(options.said)});
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -184,29 +195,26 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       "the\n"
       "plane or space, 3 the input is at fault, 4 interrupted or stopped by --limit, 5\n"
       "internal error.");
-  command->add_option("mesh", options->mesh, "A mesh, in any format that check reads")->required();
-  command
-      ->add_option("-o,--output", options->certificate,
-                   "The file for the certificate or the refutation. With -, it goes to stdout, and "
-                   "nothing else does")
-      ->option_text("FILE")
-      ->required();
+  add_options(*command,
+              {{"mesh", "", required(options->mesh), "A mesh, in any format that check reads"},
+               {"-o,--output", "FILE", required(options->certificate),
+                "The file for the certificate or the refutation. With -, it goes to "
+                "stdout, and nothing else does"}});
   add_claim_option(
       *command, options->asked,
       "The claim to judge (default: that of check). Weights are read as check reads them")
       ->option_text("CLAIM");
-  command->add_option("--domain", options->domain, "The domain that the mesh must fill")
-      ->option_text("FILE");
+  add_options(*command,
+              {{"--domain", "FILE", into(options->domain), "The domain that the mesh must fill"}});
   add_domain_options(*command, options->said);
-  command->add_option("--points", options->input.points, "The file with the points of the mesh")
-      ->option_text("FILE");
   const std::map<std::string, check::By> manners = {{"lemma", check::By::kLemma},
                                                     {"definition", check::By::kDefinition}};
-  command
-      ->add_option("--by", options->by,
-                   "Judge by the lemmas (default) or, slowly, by the definitions")
-      ->transform(one_of(manners))
-      ->option_text("lemma|definition");
+  add_options(*command, {{"--points", "FILE", into(options->input.points),
+                          "The file with the points of the mesh"},
+                         {"--by", "lemma|definition", into(options->by, one_of(manners)),
+                          "Judge by the lemmas (default) or, slowly, by the definitions"}});
+  command->add_option("--require", options->required, "Refused: nothing is proved of it")
+      ->group("");
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

@@ -46,6 +46,35 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
   CHECK(has(contents(meshes.cert), "\nbecause 4\nend\n"));
 }
 
+// Of a square an edge of which is halved on one side only, and of its two halves.
+TEST_CASE("certify: a mesh alone") {
+  CertifiedMeshes meshes;
+  const Run holds = run({"certify", meshes.good, "-o", meshes.cert, "--claim", "complex"});
+  CHECK(holds.exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 complex 2\n"));
+  CHECK(has(contents(meshes.cert), "\nsimplices 2 3\n"));
+  const auto refuted = [&](const std::string& points, const std::string& simplices) {
+    const std::string mesh = meshes.write("mesh", points, simplices);
+    const Run fails = run({"certify", mesh, "-o", meshes.cert, "--claim", "complex"});
+    CHECK(fails.exit_code == 1);
+    const std::string text = contents(meshes.cert);
+    return text.substr(0, text.find('\n')) + " because" +
+           text.substr(text.find("\nbecause ") + 8,
+                       text.find("\nend") - text.find("\nbecause ") - 8);
+  };
+  CHECK(refuted("5 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 1\n", "2 3\n0 0 1 2\n1 0 4 3\n") ==
+        "circumspect-refutation 2 complex 2 complex.hanging-vertex because 1 2 1 1 1");
+  CHECK(refuted("4 2\n0 0 0\n1 2 0\n2 2 2\n3 2 0\n", "2 3\n0 0 1 2\n1 0 3 2\n") ==
+        "circumspect-refutation 2 complex 2 complex.points-equal because 2 4");
+  CHECK(begins_with(refuted(kSquareFrom5, "2 3\n5 5 6 7\n6 5 6 8\n"),
+                    "circumspect-refutation 2 complex 2 complex.overlap because 1 2 "));
+  // Of edges it is not known where they cross.
+  const std::string crossed = meshes.write("edges", kSquareFrom5, "2 2\n5 5 7\n6 6 8\n");
+  const Run none = run({"certify", crossed, "-o", meshes.cert, "--claim", "complex"});
+  CHECK(none.exit_code == 2);
+  CHECK(has(none.err, "there is no refutation of this mesh"));
+}
+
 TEST_CASE("certify: to standard output, which then holds nothing else") {
   const CertifiedMeshes meshes;
   CHECK(run({"certify", meshes.good, "-o", meshes.cert}).exit_code == 0);

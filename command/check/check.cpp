@@ -8,6 +8,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/check_options.hpp"
+#include "command/check/check_voronoi.hpp"
 #include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
@@ -19,7 +20,8 @@
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/judge/cause/causes.hpp"
-#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
+#include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -77,6 +79,14 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
   if (output.wants_json()) output.json(std::move(result));
 }
 
+// Are the requirements about measures that the mesh does not have? Then it says so.
+bool misses_measures(const std::string& path, const Mesh& mesh, const CheckOptions& options,
+                     Output& output) {
+  const std::string fault = check::fault_of_quality(mesh, options.check.quality);
+  if (!fault.empty()) output.error(ExitCode::kUsage, "mesh", path, path + ": " + fault);
+  return !fault.empty();
+}
+
 // What is said of a mended mesh in place of the one that was judged.
 std::optional<Verdict> judged_again(Claim claim, const Mesh& mesh, const Domain* domain,
                                     check::Options options) {
@@ -94,6 +104,8 @@ std::optional<Verdict> judged_again(Claim claim, const Mesh& mesh, const HeldAga
   auto verdict = judged_within(*options.within, claim, known, domain, options.check,
                                against.bent ? &*against.bent : nullptr);
   if (!verdict) return std::nullopt;
+  check::judge_quality(mesh, &against.judged(), options.within->squared(domain.complex),
+                       options.check, *verdict);
   return std::move(*verdict);
 }
 
@@ -104,16 +116,15 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  if (options.claim == Claim::kComplex) {
-    const std::string fault = check::fault_of_demands(loaded->mesh, options.check.complex);
-    if (!fault.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
-      return;
-    }
+  const Claim claim = options.claim.value_or(Claim::kDelaunay);
+  const std::string fault = check::fault_of_claim(claim, loaded->mesh, options.check);
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
+    return;
   }
+  if (misses_measures(path, loaded->mesh, options, output)) return;
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
-  auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
-                              options.input.duplicates, options.check);
+  auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, options.check);
   output.notes(loaded->notes);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
@@ -166,7 +177,11 @@ std::optional<Verdict> judged_against(const std::string& path, Claim claim, Load
   auto judged = judged_within(*options.within, claim, known, domain, options.check,
                               against.bent ? &*against.bent : nullptr,
                               {loaded.face_markers, against.polygon_markers()});
-  if (judged) return std::move(*judged);
+  if (judged) {
+    check::judge_quality(loaded.mesh, &against.judged(), options.within->squared(domain.complex),
+                         options.check, *judged);
+    return std::move(*judged);
+  }
   const auto& [reason, is_input_fault] = judged.error();
   output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
                path + ": " + reason);
@@ -198,6 +213,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
                     dimension, domain.name, mesh.dimension()));
     return;
   }
+  if (misses_measures(path, mesh, options, output)) return;
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim =
       options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
@@ -247,6 +263,11 @@ ExitCode run(CheckOptions& options) {
   options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {
     check_against_domain(options, output);
+  } else if (options.claim == Claim::kVoronoi) {
+    const VoronoiQuestion question{options.input, options.within, options.box, options.check};
+    for (const std::string& cells : options.meshes) {
+      check_voronoi(cells, question, *options.pictures, output);
+    }
   } else {
     for (const std::string& mesh : options.meshes) {
       options.memory ? check_part_after_part(mesh, options, output)

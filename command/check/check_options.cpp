@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
+#include "command/check/check_voronoi.hpp"
 #include "command/check/judge_in_parts.hpp"
+#include "command/check/quality_options.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/option_rows.hpp"
@@ -13,6 +15,7 @@
 #include "command/options/usage_faults.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/overwriting.hpp"
+#include "oracle/formats/format.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -25,6 +28,7 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
            {options.domain.has_value(), "--domain"},
            {options.check.by == check::By::kDefinition, "--by definition"},
            {options.check.oriented, "--oriented"},
+           {!options.check.quality.empty(), "--require"},
            {options.input.neighbors, "--neighbors"},
            {!options.input.kept_labels.empty(), "--keep-label"},
            {options.input.allow_empty, "--allow-empty"},
@@ -59,32 +63,38 @@ std::string writing_fault(const CheckOptions& options) {
 
 std::string usage_fault(CheckOptions& options) {
   const std::string demands = settle_complex_options(options.complex, options.claim, options.check);
-  const Asked complex{options.claim == Claim::kComplex, "the claim complex"};
+  const std::string_view claim = options.claim ? name(*options.claim) : "";
+  const Asked list{options.claim && is_about_a_list(*options.claim),
+                   fmt::format("the claim {}", claim)};
+  const Asked hull{options.claim == Claim::kConvexHull, "--claim convex-hull"};
+  const Asked voronoi{options.claim == Claim::kVoronoi, "--claim voronoi"};
   const Asked certificate{options.certificate.has_value(), "--certificate"};
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
+  const Asked demanded{!options.check.quality.empty(), "--require"};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
-  const bool about_domain = options.claim && is_about_a_domain(*options.claim);
-  const std::string_view claim = options.claim ? name(*options.claim) : "";
   const std::string fault = first_fault({
       demands,
-      contradiction(certificate, complex),
-      contradiction(neighbors, complex),
-      contradiction(memory, complex),
+      contradiction(certificate, list),
+      contradiction(neighbors, list),
+      contradiction(memory, list),
+      dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
+      dependence({options.check.hull.only_extreme, "--only-extreme"}, hull),
+      dependence({options.box.has_value(), "--box"}, voronoi),
+      dependence(voronoi, {options.input.points.has_value(), "--points FILE"},
+                 "it has the sites, and the output of qvoronoi o Fv the cells"),
+      quality_fault(options.check.quality),
+      contradiction(demanded, voronoi),
+      contradiction(demanded, certificate, "nothing is proved of it"),
       contradiction(within, certificate, "nothing is proved of it"),
       certificate.is_given ? certificate_fault(options.said) : "",
-      {about_domain && !domain.is_given,
-       fmt::format("expected --domain FILE for the claim {}, found none", claim)},
-      {options.claim && !about_domain && domain.is_given,
-       fmt::format("expected no --domain for the claim {}, found one", claim)},
-      dependence(within, domain),
-      dependence({options.said.is_given(), "--fill, --hole, --region or --merge-coplanar"}, domain),
+      domain_options_fault(options.said, options.claim, domain.is_given),
+      voronoi.is_given ? "" : dependence(within, domain).text,
       dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},
                  {within.is_given, "--within DISTANCE"},
                  "say how far vertices may be from one plane"),
-      domain_options_fault(options.said),
       contradiction(neighbors, labels, "a .neigh file is about all cells"),
       contradiction(certificate, labels, "a certificate is about all cells of a file"),
       {certificate.is_given && options.meshes.size() != 1,
@@ -98,21 +108,19 @@ std::string usage_fault(CheckOptions& options) {
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
-  add_options(
-      command,
-      {{"mesh", "", required(options.meshes),
-        "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, .obj, "
-        ".ply, .tet, .npz, .qhull-i, .npy (with --points); - for standard input, in any of these "
-        "formats"}});
+  add_options(command, {{"mesh", "", required(options.meshes),
+                         fmt::format("Meshes: {}; - for standard input, in any of these formats",
+                                     formats::endings_in_help(&formats::Format::has_mesh))}});
   add_claim_option(command, options.claim,
                    "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
                    "the mesh has more vertices than the domain). Weights are the first attribute "
                    "of a .node file, as for tetgen -w, or the key weights of JSON");
-  add_options(command,
-              {{"--domain", "FILE", into(options.domain),
-                "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, "
-                ".msh, .vtk, .vtu, .vtp. The dangling triangles and edges of the mesh are read "
-                "from the .face and the .edge file beside the .ele"}});
+  add_options(
+      command,
+      {{"--domain", "FILE", into(options.domain),
+        fmt::format("The domain that the mesh must fill: {}. The dangling triangles and edges of "
+                    "the mesh are read from the .face and the .edge file beside the .ele",
+                    formats::endings_in_help(&formats::Format::has_domain))}});
   add_domain_options(command, options.said, true);
   add_within_option(command, options.within);
   const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},
@@ -125,6 +133,15 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
                          "Also write a certificate or a refutation, as circumspect certify does"}});
   add_picture_options(command, options.picture);
   add_complex_options(command, options.complex);
+  add_quality_options(command, options.check.quality);
+  HullDemands& hull = options.check.hull;
+  add_options(command,
+              {{"--all-boundary-points", "", flag(hull.all_boundary_points),
+                "With the claim convex-hull: demand that every point in the boundary of "
+                "the hull is a vertex"},
+               {"--only-extreme", "", flag(hull.only_extreme),
+                "With the claim convex-hull: demand that every vertex is an extreme point"}});
+  add_box_option(command, options.box);
   add_options(command, {{"--neighbors", "", flag(options.input.neighbors),
                          "Also judge the .neigh file beside each .ele"},
                         {"--max-errors", "N", into(options.check.max_violations, whole_number()),

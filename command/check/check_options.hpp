@@ -15,6 +15,7 @@
 #include "command/output/picture_output.hpp"
 #include "oracle/model/claim.hpp"
 #include "oracle/model/options.hpp"
+#include "oracle/model/voronoi_diagram.hpp"
 
 namespace circumspect::cli {
 
@@ -29,6 +30,7 @@ struct CheckOptions {
   std::shared_ptr<Pictures> pictures;
   check::Options check;
   ComplexOptions complex;
+  std::optional<JudgedBox> box;  // in which Voronoi cells are compared
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has

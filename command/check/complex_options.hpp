@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/model/claim.hpp"
 #include "oracle/model/options.hpp"
 
 namespace CLI {

@@ -7,7 +7,6 @@
 
 namespace circumspect::cli {
 
-// ---- Empty meshes ----
 // A file without points and without simplices: in CI it means that a program wrote nothing.
 
 namespace {
@@ -112,7 +111,6 @@ TEST_CASE("compare and certify take no mesh of nothing for one either") {
 
 }  // namespace
 
-// ---- Listed indices ----
 // Witnesses name points and simplices as the user listed them: at the ends of 64 bits, and where
 // equal points were merged.
 

@@ -1,5 +1,5 @@
-// Equal points that are merged: a note beside the verdict says which. One message says that they are
-// refused.
+// Equal points that are merged: a note beside the verdict says which. Where they are refused, one
+// message says so.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"

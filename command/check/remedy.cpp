@@ -6,6 +6,7 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"

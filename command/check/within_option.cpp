@@ -39,7 +39,11 @@ Rational longest_side(const std::vector<Point>& points) {
 }  // namespace
 
 Rational Distance::squared(const PiecewiseLinearComplex& complex) const {
-  const Rational distance = relative ? number * longest_side(complex.points.points()) : number;
+  return squared(complex.points.points());
+}
+
+Rational Distance::squared(const std::vector<Point>& points) const {
+  const Rational distance = relative ? number * longest_side(points) : number;
   return distance * distance;
 }
 
@@ -58,7 +62,8 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
           "Allow for rounded coordinates: judge exactly whether the claim holds for the domain "
           "when its vertices, segments and polygons may move by at most DISTANCE. This is a "
           "number, or a multiple of the longest side of the domain's bounding box: 1e-12x is "
-          "1e-12 times that side. The verdict ends with the distance that was needed")
+          "1e-12 times that side. The verdict ends with the distance that was needed. With the "
+          "claim voronoi: how far a cell may be from the exact one")
       ->option_text("DISTANCE");
 }
 

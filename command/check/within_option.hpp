@@ -19,6 +19,7 @@ struct Distance {
   bool relative = false;
 
   Rational squared(const PiecewiseLinearComplex& complex) const;
+  Rational squared(const std::vector<Point>& points) const;
 };
 
 // Adds --within; nothing if it is not given.

@@ -18,11 +18,9 @@
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "kernel/exact/number.hpp"
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
-#include "oracle/formats/ply.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
@@ -59,7 +57,7 @@ formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Diff
   file.points.dimension = a.dimension();
   file.points.points = a.exact_points();
   const std::vector<Point> more = b.exact_points();
-  file.points.points.insert(file.points.points.end(), more.begin(), more.end());
+  for (const Point& point : more) file.points.points.push_back(point);
   const auto add = [&file](const std::vector<Simplex>& simplices, Vertex first, Vertex label) {
     for (Simplex simplex : simplices) {
       for (Vertex& v : simplex) v += first;
@@ -67,7 +65,7 @@ formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Diff
                          : simplex.size() == 3 ? formats::ElementShape::kPolygon
                                                : formats::ElementShape::kTetrahedron;
       if (simplex.size() < 2 || simplex.size() > 4) continue;
-      formats::add_element(file, shape, std::move(simplex), "", 0, label);
+      formats::add_element(file, shape, simplex, "", 0, label);
     }
   };
   add(found.simplices_only_in_a, 0, 1);
@@ -76,13 +74,8 @@ formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Diff
   return file;
 }
 
-using DifferenceWriter = void (*)(std::ostream&, const formats::ElementFile&);
-DifferenceWriter writer_of_difference(const std::string& path) {
-  const std::string end = formats::extension(path);
-  if (end == ".vtu") return formats::write_vtu;
-  if (end == ".msh") return formats::write_gmsh;
-  if (end == ".obj") return formats::write_obj;
-  return end == ".ply" ? formats::write_ply : nullptr;
+formats::ElementWriter writer_of_difference(const std::string& path) {
+  return formats::writer_of(formats::extension(path));
 }
 
 // Why the difference of these meshes is no file for viewers; empty if it is one.
@@ -175,8 +168,8 @@ std::string output_fault(const CompareOptions& options) {
   std::vector<Written> written;
   if (!options.output_file.empty()) written.push_back({"what differs", options.output_file});
   if (!written.empty() && writer_of_difference(options.output_file) == nullptr) {
-    return fmt::format("expected -o OUT.vtu, OUT.msh, OUT.obj or OUT.ply, found {}",
-                       options.output_file);
+    return fmt::format("expected -o OUT{}, found {}",
+                       fmt::join(formats::written_endings(), ", OUT"), options.output_file);
   }
   std::vector<std::string> read = files_of_mesh(options.a);
   for (std::string& path : files_of_mesh(options.b)) read.push_back(std::move(path));
@@ -287,9 +280,10 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
         "The file with the points of the first mesh, where they are not in it or beside it"},
        {"--points-b", "FILE", into(options->points_of_b), "The same for the other mesh"},
        {"-o,--output", "OUT.vtu", into(options->output_file),
-        "Also write the simplices that only one of the meshes has, for viewers. In .vtu and .msh, "
-        "those of A have the label 1 and those of B the label 2; .obj and .ply have their "
-        "surfaces"}});
+        fmt::format("Also write the simplices that only one of the meshes has, for viewers: {}. "
+                    "Where the format has labels, those of A have the label 1 and those of B the "
+                    "label 2; .obj and .ply have their surfaces",
+                    fmt::join(formats::written_endings(), ", "))}});
   add_page_option(*command, options->html,
                   "the simplices that differ, those of A in one colour and those of B in another");
   add_options(

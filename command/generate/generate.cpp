@@ -9,6 +9,7 @@
 
 #include "command/generate/generate_list.hpp"
 #include "command/options/one_of.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
@@ -32,7 +33,7 @@ struct GenerateOptions {
   std::size_t points = 12;
   std::optional<std::size_t> dimension = {};
   bool fewer = false;
-  bool exact = false;
+  std::string coordinates = "double";
   std::string output_file;
   OutputOptions output;
 
@@ -60,7 +61,7 @@ Draw draw_points(const generators::Family& family, const GenerateOptions& option
   return [&options, &family, dimension](std::uint64_t seed) -> Generated {
     const generators::Count count{options.points, !options.fewer};
     generators::PointsCase set = generators::drawn(family, dimension, count, seed);
-    if (!options.exact) set = generators::in_doubles(set, family.repeats_points);
+    if (options.coordinates == "double") set = generators::in_doubles(set, family.repeats_points);
     const std::size_t points = set.points.size();
     const auto write = [set, dimension](std::ostream& out) {
       formats::write_node(out, point_file(set, dimension));
@@ -74,7 +75,7 @@ Draw draw_points(const generators::Family& family, const GenerateOptions& option
 Draw draw_domains(const generators::ComplexFamily& family, const GenerateOptions& options) {
   return [&options, &family](std::uint64_t seed) -> Generated {
     generators::ComplexCase made = generators::drawn(family, options.points, seed);
-    if (!options.exact) made = generators::in_doubles(made);
+    if (options.coordinates == "double") made = generators::in_doubles(made);
     const std::size_t count = made.input.points.size();
     return {count, ".poly",
             [made](std::ostream& out) {
@@ -174,38 +175,26 @@ ExitCode run(const GenerateOptions& options) {
   return output.finish();
 }
 
-// What is to be drawn.
-void add_drawing_options(CLI::App& command, GenerateOptions& options) {
-  command
-      .add_option("--seed", options.seed,
-                  "The seed: the same seed gives the same bytes (default: 0)")
-      ->check(whole_number())
-      ->option_text("N");
-  command
-      .add_option("--count", options.count,
-                  "Draw K inputs, with the seeds N, N+1, ... (default: 1)")
-      ->check(whole_number(1, 1'000'000'000))
-      ->option_text("K");
-  command
-      .add_option(
-          "--points", options.points,
-          "Draw N points, of which equal ones count once; domains have about N (default: 12)")
-      ->check(whole_number(1, 1'000'000))
-      ->option_text("N");
-  command.add_flag("--fewer", options.fewer,
-                   "Draw any number of points up to that of --points, as campaigns do");
-  command
-      .add_option("--dimension", options.dimension,
-                  "The dimension of the points (default: 3; domains have their own)")
-      ->check(whole_number(1, formats::kLargestDimension))
-      ->option_text("D");
-  command
-      .add_option_function<std::string>(
-          "--coordinates", [&options](const std::string& word) { options.exact = word == "exact"; },
-          "Write coordinates rounded to doubles ('double', default), or as they are, with "
-          "fractions ('exact')")
-      ->check(one_of_words({"double", "exact"}))
-      ->option_text("double|exact");
+std::vector<OptionRow> rows_of(GenerateOptions& options) {
+  return {
+      {"family", "", into(options.family), "A family of points or domains; see --list"},
+      {"--list", "", flag(options.list), "Print the table of families"},
+      {"--seed", "N", into(options.seed, whole_number()),
+       "The seed: the same seed gives the same bytes (default: 0)"},
+      {"--count", "K", into(options.count, whole_number(1, 1'000'000'000)),
+       "Draw K inputs, with the seeds N, N+1, ... (default: 1)"},
+      {"--points", "N", into(options.points, whole_number(1, 1'000'000)),
+       "Draw N points, of which equal ones count once; domains have about N (default: 12)"},
+      {"--fewer", "", flag(options.fewer),
+       "Draw any number of points up to that of --points, as campaigns do"},
+      {"--dimension", "D", into(options.dimension, whole_number(1, formats::kLargestDimension)),
+       "The dimension of the points (default: 3; domains have their own)"},
+      {"--coordinates", "double|exact",
+       into(options.coordinates, one_of_words({"double", "exact"})),
+       "Write coordinates rounded to doubles ('double', default), or as they are, with fractions "
+       "('exact')"},
+      {"-o,--output", "OUT", into(options.output_file),
+       "The file to write, or a folder if there is more than one input; - is stdout"}};
 }
 
 }  // namespace
@@ -229,13 +218,7 @@ void add_generate(CLI::App& app, ExitCode& exit_code) {
       "Exit codes: 0 written, 2 usage, an unknown family, a family that does not exist in "
       "that\n"
       "dimension, or an output that cannot be written.");
-  command->add_option("family", options->family, "A family of points or domains; see --list");
-  command->add_flag("--list", options->list, "Print the table of families");
-  add_drawing_options(*command, *options);
-  command
-      ->add_option("-o,--output", options->output_file,
-                   "The file to write, or a folder if there is more than one input; - is stdout")
-      ->option_text("OUT");
+  add_options(*command, rows_of(*options));
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

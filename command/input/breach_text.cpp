@@ -45,19 +45,7 @@ std::string segment_text(const Simplex& segment, const formats::DomainFile& file
 char offset_axis(const std::vector<Vertex>& plane, const formats::DomainFile& file) {
   const auto& points = file.input.points;
   const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(plane[i])]; };
-  const Point u = at(1) - at(0);
-  const Point v = at(2) - at(0);
-  std::size_t best = 0;
-  Rational largest = -1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t a = (axis + 1) % 3;
-    const std::size_t b = (axis + 2) % 3;
-    const Rational size = abs(Rational(u[a] * v[b] - u[b] * v[a]));
-    if (size <= largest) continue;
-    largest = size;
-    best = axis;
-  }
-  return "xyz"[best];
+  return "xyz"[longest_axis(cross_product(at(1) - at(0), at(2) - at(0)))];
 }
 
 std::string offset_text(const Rational& offset) {
@@ -157,8 +145,6 @@ report::Json breach_json(const Breach& breach, const formats::DomainFile& file) 
   }
   return object;
 }
-
-// ---- Pictures ----
 
 namespace {
 

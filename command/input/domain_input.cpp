@@ -9,6 +9,7 @@
 #include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"
 #include "oracle/report/text.hpp"

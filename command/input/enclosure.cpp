@@ -145,8 +145,6 @@ void note_seeds(const Regions& regions, const Domain& domain, std::vector<std::s
   }
 }
 
-// ---- What is filled of what is enclosed ----
-
 std::string name_of(std::size_t wall, const Regions& regions, const Domain& domain) {
   return name_of(regions.walls().simplices()[wall], domain);
 }
@@ -186,8 +184,6 @@ tl::expected<std::vector<Point>, std::string> seeds_beside(const std::vector<Poi
       "expected a point of --region in something enclosed, found {} {}", point_text(point),
       regions.region_at(point) ? "in nothing enclosed" : "on a wall"));
 }
-
-// ---- What bounds nothing ----
 
 // The walls without anything filled on either side.
 std::set<Simplex> dangling_walls(const Regions& regions) {

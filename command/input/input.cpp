@@ -131,7 +131,7 @@ tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
   auto weights = formats::weights_of(*raw, weights_asked_for(options));
   if (!weights) return tl::unexpected(weights.error().to_string());
   LoadedMesh loaded{path, {}, raw->name};
-  loaded.mesh.coordinates = numbers_of(raw->points.points, raw->points.dimension);
+  loaded.mesh.coordinates = std::move(raw->points.points).as_numbers(raw->points.dimension);
   if (!weights->empty()) loaded.mesh.weights = numbers_of(*weights);
   loaded.mesh.first_index = raw->points.first_index;
   const std::string fault = settle_equal_points(loaded, options.duplicates);

@@ -53,7 +53,7 @@ class Covering {
     for (std::size_t i = 0; i < line.size(); ++i) {
       const Point& p = points_[line[i]];
       const Point& q = points_[line[(i + 1) % line.size()]];
-      twice_area += p[0] * q[1] - p[1] * q[0];
+      twice_area += cross_product(p, q, 0, 1);
     }
     std::set<std::size_t> regions;
     if (twice_area == 0) return regions;

@@ -10,6 +10,7 @@
 #include "command/check/certificate_output.hpp"
 #include "command/input/input.hpp"
 #include "command/inspect/inspect_domain.hpp"
+#include "command/inspect/inspect_mesh.hpp"
 #include "command/inspect/inspect_points.hpp"
 #include "command/inspect/refutation_files.hpp"
 #include "command/options/nearest_word.hpp"
@@ -19,6 +20,8 @@
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::cli {
 
@@ -30,26 +33,34 @@ struct InspectOptions {
   std::string html;               // what is found, to look at; empty: none
   PointsInspection points;
   DomainInspection domain;
+  MeshInspection mesh;
   InputOptions input;
   OutputOptions output;
 };
 
 // What is wrong with the facts that are asked for; empty if nothing is.
-std::string facts_fault(const std::vector<std::string>& only, bool of_domain) {
-  const std::vector<std::string> known = of_domain ? domain_facts() : point_facts();
+std::string facts_fault(const std::vector<std::string>& only, std::string_view of,
+                        const std::vector<std::string>& known) {
   for (const std::string& fact : only) {
     if (std::find(known.begin(), known.end(), fact) != known.end()) continue;
-    return fmt::format("expected --only {} for {}, found {}{}", fmt::join(known, "|"),
-                       of_domain ? "a domain" : "points", fact, nearest_text(fact, known));
+    return fmt::format("expected --only {} for {}, found {}{}", fmt::join(known, "|"), of, fact,
+                       nearest_text(fact, known));
   }
   return "";
 }
 
 void inspect_one(const std::string& path, const InspectOptions& options, Output& output,
                  picture::Page* page) {
-  const bool is_domain = options.domain.is_asked_for || formats::is_domain_file(path);
-  if (const std::string fault = facts_fault(options.only, is_domain); !fault.empty()) {
-    output.error(ExitCode::kUsage, is_domain ? "domain" : "input", path, fault);
+  const bool is_mesh =
+      options.mesh.is_asked_for || (!options.domain.is_asked_for && is_mesh_file(path));
+  const bool is_domain = !is_mesh && (options.domain.is_asked_for || formats::is_domain_file(path));
+  const std::string fault = is_mesh     ? facts_fault(options.only, "a mesh", mesh_facts())
+                            : is_domain ? facts_fault(options.only, "a domain", domain_facts())
+                                        : facts_fault(options.only, "points", point_facts());
+  if (!fault.empty()) {
+    output.error(ExitCode::kUsage, is_mesh ? "mesh" : is_domain ? "domain" : "input", path, fault);
+  } else if (is_mesh) {
+    inspect_mesh(path, options.input, options.only, output, page);
   } else if (is_domain) {
     inspect_domain(path, options.input, options.domain, options.only, output, page);
   } else {
@@ -95,11 +106,13 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand(
       "inspect",
-      "Print facts about points (dimension, duplicates, genericity, counts) or about a "
-      "domain (validity, polyhedra, edge-protection, existence of a CDT)");
+      "Print facts about points (dimension, duplicates, genericity, counts), about a mesh "
+      "(topology, size, quality) or about a domain (validity, polyhedra, edge-protection, "
+      "existence of a CDT)");
   command->footer(
       "Example:\n"
       "  circumspect inspect points.node\n"
+      "  circumspect inspect part.1.ele\n"
       "  circumspect inspect part.poly\n"
       "\n"
       "A set is generic if no k+2 of its points lie on one sphere, where k is the dimension "
@@ -122,16 +135,21 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   add_options(
       *command,
       {{"input", "", required(options->inputs),
-        "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; domains: .poly, .smesh, .stl, "
-        ".ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp"},
+        fmt::format("Points: {}; meshes: .ele, .tet, .npz, .qhull-i, and with --mesh all that "
+                    "check reads; domains: {}",
+                    formats::endings_in_help(&formats::Format::has_points),
+                    formats::endings_in_help(&formats::Format::has_domain))},
        {"--subsets", "N", into(options->points.subsets, whole_number()),
         "Test at most N subsets for genericity (default: 200000; 0: all)"},
        {"--simplex", "VERTICES", into(options->points.simplices),
         "Tell whether this simplex, of any dimension, is Delaunay or strongly Delaunay (\"1 2 "
         "3\")"},
        {"--only", "FACTS", listed(options->only),
-        "Find only these facts: for points dimension, genericity, simplices; for a domain "
-        "validity, regions, edge-protection, cdt"}});
+        "Find only these facts: for points dimension, genericity, simplices; for a mesh "
+        "topology, size, quality; for a domain validity, regions, edge-protection, cdt"},
+       {"--mesh", "", flag(options->mesh.is_asked_for),
+        "Take the input for a mesh: .msh, .mesh, .vtk, .vtu and .ply may be a domain as well"},
+       {"--points", "FILE", into(options->input.points), "The file with the points of the mesh"}});
   add_domain_inspection_options(*command, options->domain);
   add_page_option(*command, options->html, "the facts, and each breach of a domain as a picture");
   add_coordinates_option(*command, options->input);

@@ -77,8 +77,6 @@ TEST_CASE("inspect: one line for each fact, and --only some of them") {
   CHECK(run({"inspect", cube, "--only", "cdts"}).exit_code == 2);
 }
 
-// ---- Pages ----
-
 TEST_CASE("inspect: a page has a card for each breach of a domain, with a picture") {
   const ScratchFolder folder;
   const std::string page = folder.path("page.html");
@@ -179,8 +177,6 @@ TEST_CASE("inspect: a page never replaces what is read, and there is none of wha
   CHECK(run({"inspect", folder.write("broken.poly", "3 x\n"), "--html", page}).exit_code == 3);
   CHECK(!std::filesystem::exists(page));
 }
-
-// ---- Long work ----
 
 TEST_CASE("inspect: whether there is a CDT may stay open, unless --decide asks") {
   const ScratchFolder folder;

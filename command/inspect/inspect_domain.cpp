@@ -132,8 +132,6 @@ report::Json adoptions_json(const Domain& domain, const DomainFacts& facts) {
   return array;
 }
 
-// ---- One fact after the other ----
-
 constexpr std::string_view kValidity = "validity", kRegions = "regions",
                            kProtection = "edge-protection", kCdt = "cdt";
 
@@ -170,8 +168,6 @@ class Inspection {
   bool wants(std::string_view fact) const {
     return only_.empty() || std::find(only_.begin(), only_.end(), fact) != only_.end();
   }
-
-  // ---- Not valid ----
 
   // The breaches are facts asked for; that there are any is the input's fault.
   void add_breach(const Breach& breach, const formats::DomainFile& file) {
@@ -213,8 +209,6 @@ class Inspection {
                     listed == 1 && !truncated ? "breach" : "breaches", identifier(first_)),
         std::move(facts), page_ == nullptr ? Mesh() : skeleton(file));
   }
-
-  // ---- Valid ----
 
   void add_validity(const PiecewiseLinearComplex& complex, const formats::DomainFile& file) {
     output_.notes(file.notes);

@@ -12,7 +12,7 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/constructions.hpp"
-#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/delaunay/genericity.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "command/output/output.hpp"
+#include "reference/existence/dimacs.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::cli {

@@ -10,6 +10,7 @@
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
+#include "reference/existence/dimacs.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::cli {

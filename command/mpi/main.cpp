@@ -122,7 +122,8 @@ std::string said(const Judged& judged, const MpiOptions& options) {
   const auto note =
       report::note_of_domain_not_given(*judged.verdict, judged.named, options.files.mesh);
   std::string notes;
-  for (const auto& one : {note, report::note_of_claim_complex(*judged.verdict, options.files.mesh)}) {
+  for (const auto& one :
+       {note, report::note_of_claim_complex(*judged.verdict, options.files.mesh)}) {
     if (one) notes += "note: " + circumspect::on_one_line(*one) + "\n";
   }
   return circumspect::on_lines(

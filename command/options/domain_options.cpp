@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command/options/one_of.hpp"
+#include "command/options/usage_faults.hpp"
 #include "kernel/exact/number.hpp"
 
 namespace circumspect::cli {
@@ -150,6 +151,20 @@ std::string domain_options_fault(const DomainOptions& options) {
       "expected --region alone or beside --fill enclosed, found it beside --fill {}: the regions "
       "say what is filled",
       name(*options.fill));
+}
+
+std::string domain_options_fault(const DomainOptions& options, std::optional<Claim> claim,
+                                 bool has_domain) {
+  const bool about_domain = claim && is_about_a_domain(*claim);
+  const std::string_view said = claim ? name(*claim) : "";
+  return first_fault(
+      {{about_domain && !has_domain,
+        fmt::format("expected --domain FILE for the claim {}, found none", said)},
+       {claim && !about_domain && has_domain,
+        fmt::format("expected no --domain for the claim {}, found one", said)},
+       dependence({options.is_given(), "--fill, --hole, --region or --merge-coplanar"},
+                  {has_domain, "--domain FILE"}),
+       domain_options_fault(options)});
 }
 
 std::vector<std::string> with_angles_joined(int argc, char** argv) {

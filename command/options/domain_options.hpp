@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "oracle/domain/filling.hpp"
+#include "oracle/model/claim.hpp"
 
 namespace circumspect::cli {
 
@@ -31,6 +32,9 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
 
 // What options contradict each other; empty if none do.
 std::string domain_options_fault(const DomainOptions& options);
+// The same beside a claim, if one was asked for, and a domain that is given or not.
+std::string domain_options_fault(const DomainOptions& options, std::optional<Claim> claim,
+                                 bool has_domain);
 
 // Makes one word of --merge-coplanar and an angle behind it, which CLI11 would take for a file:
 // whether a value follows an option, it decides without looking at it. A number without a unit is

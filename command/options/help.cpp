@@ -37,7 +37,8 @@ const std::vector<Group>& groups() {
   static const std::vector<Group> all = {
       {"Claim",
        {"claim", "weighted", "oriented", "manifold", "connected", "closed", "allow", "allow-unused",
-        "neighbors", "by", "against", "refusal-exit-code", "refusal-text"}},
+        "all-boundary-points", "only-extreme", "box", "require", "except-sharp", "neighbors", "by",
+        "against", "refusal-exit-code", "refusal-text"}},
       {"Domain", {"domain", "fill", "hole", "region", "merge-coplanar", "within"}},
       {"Input",
        {"points", "points-a", "points-b", "mesh", "stdin", "stdout", "worker", "worker-cases",

@@ -47,8 +47,6 @@ int severity(ExitCode code) {
 
 ExitCode worse(ExitCode a, ExitCode b) { return severity(a) < severity(b) ? b : a; }
 
-// ---- Output ----
-
 namespace {
 
 int why_not_written = 0;  // errno of what failed first on stdout

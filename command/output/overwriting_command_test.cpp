@@ -9,7 +9,6 @@
 
 namespace circumspect::cli {
 
-// ---- Overwriting ----
 // No command writes over what it reads, however that is spelt.
 
 namespace {
@@ -200,7 +199,6 @@ TEST_CASE("campaign: the report replaces neither the program, nor its corpus, no
                  files.folder.path("own/findings/crash-SIGSEGV/a.node"));
 }
 
-// ---- Picture output ----
 // --html and --vtu, as their users give them.
 
 struct PicturedFiles {

@@ -32,6 +32,17 @@ std::string roff(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
 
+// The words that an option takes. A line may end after one of them where they are too long for it.
+std::string words_of(const std::string& value) {
+  constexpr std::size_t kFitsOnALine = 60;
+  std::string text = italic(value);
+  if (value.size() <= kFitsOnALine) return text;
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 1)) {
+    text.insert(at + 1, "\\:");
+  }
+  return text;
+}
+
 std::vector<const CLI::Option*> positionals(const CLI::App& command) {
   return command.get_options([](const CLI::Option* one) { return one->get_positional(); });
 }
@@ -57,7 +68,7 @@ std::string option_entry(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) names += bold("--" + name) + ", ";
   names.resize(names.size() - 2);
   const std::string value = value_name(option);
-  return ".TP\n" + names + (value.empty() ? "" : " " + italic(value)) + "\n" +
+  return ".TP\n" + names + (value.empty() ? "" : " " + words_of(value)) + "\n" +
          roff(option.get_description()) + "\n";
 }
 
@@ -120,7 +131,7 @@ std::string man_page(const CommandPath& path, const std::string& version) {
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   std::string text = ".TH \"" + roff(title) + "\" 1 \"\" \"" + roff(version) +
-                     "\" \"User Commands\"\n.SH NAME\n" + roff(name) + " \\- " +
+                     "\" \"User Commands\"\n.ad l\n.SH NAME\n" + roff(name) + " \\- " +
                      roff(command.get_description()) + "\n.SH SYNOPSIS\n" + synopsis(path);
   if (const auto arguments = positionals(command); !arguments.empty()) {
     text += ".SH ARGUMENTS\n";

@@ -17,8 +17,8 @@ def row(arguments, verdict, what):
     ROWS.append((arguments, verdict, what))
 
 
-# ---- Meshes: cells of a grid, each cut into six tetrahedra around its diagonal (H. Kuhn), which is
-# Delaunay ----
+# Meshes: cells of a grid, each cut into six tetrahedra around its diagonal (H. Kuhn), which is
+# Delaunay.
 
 def grid(ticks, inside):
     """Points and tetrahedra of the cells (x, y, z) for which inside(x, y, z) holds; `ticks` along each axis."""
@@ -81,8 +81,6 @@ def write_gmsh(name, points, cells, groups):
             lines.append(" ".join(str(x) for x in (tag, *(v + 1 for v in t))))
     (FOLDER / f"{name}.msh").write_text("\n".join([*lines, "$EndElements"]) + "\n")
 
-
-# ---- Surfaces ----
 
 def box(low, high):
     return [(x, y, z) for z in (low, high) for y in (low, high) for x in (low, high)]

@@ -13,12 +13,17 @@ import domain_within
 import domain_written
 import domains
 import files
+import hulls
 import mesh_alone
+import quality
 import reject
+import surfaces
 import tables
+import voronoi
 from inputs import inputs
 
-entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries()]
+entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries(), *hulls.entries(), *surfaces.entries(),
+           *quality.entries()]
 for entry in entries:
     files.write(entry)
 for name, _, points in inputs():
@@ -26,6 +31,7 @@ for name, _, points in inputs():
     target.parent.mkdir(parents=True, exist_ok=True)
     files.write_node(target, points, len(points[0]))
 tables.write(entries)
+voronoi.write_all()
 
 domain_entries = [*domain_accept.entries(), *domain_reject.entries(), *domain_within.entries()]
 domains.write()

@@ -13,7 +13,7 @@
 
 #include "fuzz/campaign/input.hpp"
 #include "fuzz/campaign/journal.hpp"
-#include "fuzz/campaign/outcome.hpp"
+#include "fuzz/campaign/subject.hpp"
 #include "inputs/minimise.hpp"
 
 namespace circumspect::campaign {

@@ -8,6 +8,7 @@
 #include "inputs/named_complexes.hpp"
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::campaign {
 namespace {

@@ -21,6 +21,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 
@@ -328,7 +329,7 @@ std::optional<Input> read_minimal(const std::string& folder, const Subject& subj
   }
   auto raw = formats::read_points(folder + "/minimal.node", NumberReading::kDouble);
   if (!raw) return std::nullopt;
-  PointsCase set{std::move(raw->points.points), {}};
+  PointsCase set{raw->points.points.points(), {}};
   for (const std::vector<Rational>& attributes : raw->points.attributes) {
     if (!attributes.empty()) set.weights.push_back(attributes.front());
   }

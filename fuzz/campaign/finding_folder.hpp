@@ -52,7 +52,6 @@ std::string quoted_for_shell(const std::string& text);
 // The name of the program and its arguments, as a person would type them.
 std::string command_line(const Subject& subject);
 
-// ---- Witness picture ----
 // The picture in issue.md.
 
 // The first witness of a verdict as an SVG: its simplices, its face, the cell of the domain and,

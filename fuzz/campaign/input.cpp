@@ -7,8 +7,9 @@
 #include "inputs/in_doubles.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/json.hpp"
+#include "oracle/formats/off.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/surface_formats.hpp"
+#include "oracle/formats/qhull.hpp"
 #include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::campaign {

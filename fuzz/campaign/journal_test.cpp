@@ -131,8 +131,6 @@ TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {
 
 }  // namespace
 
-// ---- Witness picture ----
-
 namespace {
 
 // The picture of one witness, given as JSON.

@@ -224,7 +224,7 @@ bool holds_when_moved(const Subject& subject, const Input& input, Mesh mesh, Ver
   }
   mesh.simplices = IndexLists(std::move(simplices));
   if (judged_points(input)) {
-    const bool is_plain = subject.claim != Claim::kWeightedDelaunay;
+    const bool is_plain = subject.claim == Claim::kDelaunay;
     const Claim claim = is_plain ? Claim::kTriangulation : subject.claim;
     return check::judge(claim, check::Merging{mesh}, nullptr, options()).holds();
   }
@@ -328,7 +328,7 @@ Comparison compared(const Subject& subject, const Input& input, const std::strin
     if (!mesh) return comparison;
     merge_equal_points(*mesh);
     simplices.push_back(corners_of(exact(*mesh)));
-    const bool is_plain = set && subject.claim != Claim::kWeightedDelaunay;
+    const bool is_plain = set && subject.claim == Claim::kTriangulation;
     const Claim claim = is_plain ? Claim::kDelaunay : subject.claim;
     if (!set && subject.claim != Claim::kCdt) continue;
     std::optional<Domain> domain;

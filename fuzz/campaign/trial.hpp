@@ -9,6 +9,7 @@
 #include "fuzz/campaign/input.hpp"
 #include "fuzz/campaign/outcome.hpp"
 #include "fuzz/campaign/runner.hpp"
+#include "fuzz/campaign/subject.hpp"
 
 namespace circumspect::campaign {
 

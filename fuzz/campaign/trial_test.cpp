@@ -86,8 +86,6 @@ TEST_CASE("a doubt names what is misunderstood, and quotes no first line of a tr
         std::string::npos);
 }
 
-// ---- Misunderstandings ----
-
 const PointsCase kSquare = {{{0, 0}, {2, 0}, {0, 2}, {2, 3}}, {}};
 const PointsCase kTwoTetrahedra = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 2, 2}}, {}};
 

@@ -36,8 +36,6 @@ bool are_doubles(const generators::PointsCase& set) {
          });
 }
 
-// ---- Cases ----
-
 namespace {
 
 const generators::Family& existing_family(const std::string& name, std::size_t dimension) {
@@ -79,8 +77,6 @@ DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std
 std::uint64_t mixed_seed(std::uint64_t run_seed, std::uint64_t index) {
   return generators::mixed(run_seed + index * generators::kMixingStep);
 }
-
-// ---- Sequence cases ----
 
 namespace {
 

@@ -19,7 +19,6 @@ namespace circumspect::harness {
 
 using generators::Dice;
 
-// ---- Node text ----
 // Points as the text of a .node file that any reader turns back into the same doubles.
 
 std::string node_text(const PointArray& points);
@@ -27,7 +26,6 @@ std::string node_text(const PointArray& points);
 // Is every number a double?
 bool are_doubles(const generators::PointsCase& set);
 
-// ---- Cases ----
 // The inputs of a run in process: the order of cases, and the family of each.
 
 // A harness has drawn the points itself: there are equal ones only if the user names a family that
@@ -53,7 +51,6 @@ DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std
 // A number made of two; neighbouring arguments give unrelated results.
 std::uint64_t mixed_seed(std::uint64_t run_seed, std::uint64_t index);
 
-// ---- Sequence cases ----
 // Random sequences of insertions and deletions, and ways to make them shorter.
 
 // Sequence number `index` of a run: at most max_steps steps, which insert points of one set of a

@@ -193,8 +193,6 @@ std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t max_s
   return steps.size() * kStep;
 }
 
-// ---- Fuzz target ----
-
 namespace {
 
 bool is_wanted(const FuzzOptions& options, const PointArray& points) {

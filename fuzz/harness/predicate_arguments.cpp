@@ -57,8 +57,6 @@ int exact_sign(PredicateKind kind, std::size_t dimension, const std::vector<doub
   return sign(determinant(std::move(matrix)));
 }
 
-// ---- Predicate arguments ----
-
 namespace {
 
 using Coordinates = std::vector<double>;

@@ -11,7 +11,6 @@
 
 namespace circumspect::harness {
 
-// ---- Exact signs ----
 // The signs with which floating-point predicates are compared.
 
 // How many points a predicate takes.
@@ -19,8 +18,6 @@ std::size_t argument_count(PredicateKind kind, std::size_t dimension);
 
 // The sign that predicates.hpp defines. Requires: finite coordinates of argument_count points.
 int exact_sign(PredicateKind kind, std::size_t dimension, const std::vector<double>& coordinates);
-
-// ---- Predicate arguments ----
 
 struct ArgumentFamily {
   std::string_view name;

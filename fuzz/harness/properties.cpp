@@ -32,8 +32,6 @@ struct Broken {
 Broken broken_rule(const Triangulator& subject, Property property, const PropertyOptions& options,
                    const generators::PointsCase& set, std::uint64_t seed);
 
-// ---- Property rule ----
-
 namespace {
 
 Answer answer_to(const Triangulator& subject, const PropertyOptions& options,
@@ -162,8 +160,6 @@ Broken broken_rule(const Triangulator& subject, Property property, const Propert
 }  // namespace circumspect::harness
 
 namespace circumspect {
-
-// ---- Properties ----
 
 namespace {
 

@@ -196,7 +196,6 @@ char Known::state() const {
   return end != nullptr && end[1] == ' ' ? end[2] : '\0';
 }
 
-// ---- How many run at a time ----
 namespace {
 
 bool is_cut(int lifeline) {

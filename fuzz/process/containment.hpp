@@ -60,7 +60,6 @@ class Known {
   int file_ = -1;
 };
 
-// ---- How many run at a time ----
 // Limits how many programs run at a time.
 
 class Gate;

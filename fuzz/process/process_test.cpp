@@ -21,7 +21,6 @@
 
 namespace circumspect::campaign {
 
-// ---- Process ----
 // Programs that misbehave in every way: each ends, has its own outcome, and leaves nothing behind.
 
 namespace {
@@ -353,7 +352,6 @@ TEST_CASE("programs are found as a shell finds them") {
   CHECK(find_program("").empty());
 }
 
-// ---- Folders ----
 // Folders in the state in which programs under test leave them.
 
 namespace fs = std::filesystem;

@@ -374,8 +374,6 @@ Ended run_supervised(const Request& request, const Limits& limits, const Surroun
   return ended;
 }
 
-// ---- Descendants ----
-
 void add_children(pid_t process, std::vector<pid_t>& found) {
   const std::string tasks = "/proc/" + std::to_string(process) + "/task/";
   for (const pid_t task : numbers_in(tasks)) {

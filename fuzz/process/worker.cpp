@@ -15,8 +15,6 @@
 
 namespace circumspect::campaign {
 
-// ---- Answer ----
-
 namespace {
 
 bool is_blank(std::string_view text) {
@@ -84,8 +82,6 @@ void Answer::add_line(std::string_view line) {
 bool Answer::is_in_step() const {
   return is_complete_ && !is_garbage_ && is_blank(std::string_view(text_).substr(end_));
 }
-
-// ---- Worker ----
 
 namespace {
 

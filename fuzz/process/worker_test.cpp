@@ -180,7 +180,6 @@ TEST_CASE("a worker is interrupted") {
   interrupting.join();
 }
 
-// ---- A loaded machine ----
 // A hang is judged by the time in which a program could run, so that other programs on the
 // processors do not cause one.
 

@@ -3,8 +3,10 @@
 // then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
+#include "reference/delaunay/flip_insertion.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::fuzz {

@@ -1,5 +1,4 @@
-// No bytes crash a reader, and every error is one line that names the file. Input: a byte that
-// picks the format, one for how numbers are read, then the text.
+// No bytes crash a reader, and every error is one line that names the file.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -7,16 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/json.hpp"
-#include "oracle/formats/npy.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/plain_files.hpp"
-#include "oracle/formats/plane.hpp"
-#include "oracle/formats/ply.hpp"
-#include "oracle/formats/point_file.hpp"
-#include "oracle/formats/surface_formats.hpp"
+#include "oracle/formats/poly.hpp"
 #include "oracle/formats/tetgen.hpp"
-#include "oracle/formats/vtk.hpp"
 
 namespace circumspect::fuzz {
 namespace {
@@ -28,7 +21,8 @@ template <class T>
 bool expect_value_or_line(const Result<T>& result) {
   if (result) return true;
   const std::string message = result.error().to_string();
-  if (message.rfind("f:", 0) == 0 && message.find('\n') == std::string::npos) return false;
+  const bool names_file = message.starts_with("f:") || message.starts_with("f.node:");
+  if (names_file && message.find('\n') == std::string::npos) return false;
   std::fprintf(stderr, "expected one line that begins with the file, found\n%s\n", message.c_str());
   std::abort();
 }
@@ -59,100 +53,53 @@ void expect_agreement(const Source& source) {
   }
 }
 
-// The elements, the mesh that they are and the domain.
-void read_elements(Result<formats::ElementFile> elements) {
-  if (!expect_value_or_line(elements)) return;
-  const Result<formats::DomainFile> domain = domain_of(*elements, "f");
-  if (expect_value_or_line(domain)) formats::taken_for_plane(*domain);
-  if (expect_value_or_line(check_simplices(*elements, "f"))) top_elements(*elements);
+// Everything that a file of this format may hold.
+void read(const formats::Format& format, NumberReading reading, const Source& source) {
+  if (format.has_points()) expect_value_or_line(format.read_points(source, reading));
+  if (format.has_mesh()) expect_value_or_line(format.read_mesh(source, reading));
+  if (format.has_domain()) expect_value_or_line(format.read_domain(source, reading));
 }
 
-void read(std::uint8_t format, NumberReading reading, const Source& source) {
-  // The letters 'a' to 'w', so that seeds can be written by hand.
-  switch ((format - 'a') & 31) {
+// What no row of the table reads: files beside others, and points that are elsewhere.
+void read_beside(char letter, NumberReading reading, const Source& source) {
+  switch ((static_cast<unsigned char>(letter) - 'a') & 7) {
     case 0:
-      expect_value_or_line(read_node(source, reading));
-      return;
-    case 1:
-      expect_value_or_line(formats::read_ele(source));
-      return;
-    case 2:
       expect_value_or_line(formats::read_neigh(source));
       return;
-    case 3:
+    case 1:
       expect_value_or_line(formats::read_face(source, 3));
       return;
-    case 4:
+    case 2:
       expect_value_or_line(formats::read_face(source, 2));
       return;
-    case 5:
-      expect_value_or_line(read_off(source, reading));
-      return;
-    case 6:
-      expect_value_or_line(read_qhull_points(source, reading));
-      return;
-    case 7:
-      expect_value_or_line(formats::read_qhull_simplices(source));
-      return;
-    case 8:
-      expect_value_or_line(read_json(source, reading));
-      return;
-    case 9:
+    case 3:
       expect_value_or_line(read_poly(source, reading, three_points));
       return;
-    case 10:
+    case 4:
       expect_value_or_line(read_smesh(source, reading, three_points));
       return;
-    case 11:
-      expect_value_or_line(read_stl(source, reading));
-      return;
-    case 12:
-      expect_value_or_line(read_ply(source, reading));
-      return;
-    case 14:
-      expect_value_or_line(formats::read_npy_points(source));
-      expect_value_or_line(formats::read_npy_simplices(source));
-      if (const auto array = formats::array_of_npz(source, "points"))
-        formats::read_npy_points(*array);
-      return;
-    case 15:
-      expect_agreement(source);
-      return;
-    case 16:
-      read_elements(formats::read_gmsh(source, reading));
-      return;
-    case 17:
-      read_elements(formats::read_vtk(source, reading));
-      return;
-    case 18:
-      read_elements(formats::read_vtu(source, reading));
-      return;
-    case 19:
-      read_elements(formats::read_obj(source, reading));
-      return;
-    case 20:
-      read_elements(formats::read_tet(source, reading));
-      return;
-    case 21:
-      expect_value_or_line(formats::read_xyz(source, reading));
-      expect_value_or_line(formats::read_csv(source, reading));
-      return;
-    case 22:
-      read_elements(formats::read_ply_elements(source, reading));
-      return;
     default:
-      read_elements(formats::read_medit(source, reading));
+      expect_agreement(source);
   }
 }
 
 }  // namespace
 }  // namespace circumspect::fuzz
 
+// The first line is the ending of a format, ".msh", or a letter from 'a' to 'f' (read_beside). Then
+// comes a byte that says how numbers are read, and the text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using circumspect::NumberReading;
-  if (size < 2) return 0;
-  const auto reading = data[1] % 2 == 0 ? NumberReading::kDouble : NumberReading::kDecimal;
-  circumspect::fuzz::read(data[0], reading,
-                          {"f", std::string(reinterpret_cast<const char*>(data) + 2, size - 2)});
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const std::size_t end = bytes.find('\n');
+  if (end == 0 || end == std::string_view::npos || end + 1 == size) return 0;
+  const auto reading = bytes[end + 1] % 2 == 0 ? NumberReading::kDouble : NumberReading::kDecimal;
+  const circumspect::formats::Source source{"f", std::string(bytes.substr(end + 2))};
+  const auto* const format = circumspect::formats::format_of(bytes.substr(0, end));
+  if (format != nullptr) {
+    circumspect::fuzz::read(*format, reading, source);
+  } else {
+    circumspect::fuzz::read_beside(bytes[0], reading, source);
+  }
   return 0;
 }

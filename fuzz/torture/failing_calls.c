@@ -176,7 +176,6 @@ static void begin(char** argv) {
   end("no such group of calls");
 }
 
-// ---- The functions that are replaced ----
 
 static int (*real_main)(int, char**, char**);
 

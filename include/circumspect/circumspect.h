@@ -155,6 +155,25 @@ typedef struct circumspect_domain {
         NULL, NULL, NULL, NULL, 0, NULL, NULL, 0                                               \
   }
 
+/* A Voronoi diagram. The cell of site s has the corners cell_starts[s] … cell_starts[s+1] − 1, each an index
+ * of a vertex, or −1 if it is unbounded. Unbounded cells need the ridges: pairs of sites with a common one. */
+typedef struct circumspect_voronoi {
+  size_t struct_size; /* set by CIRCUMSPECT_VORONOI */
+  int64_t dimension;  /* 2 or 3 */
+  int64_t site_count;
+  const double* sites;
+  int64_t vertex_count;
+  const double* vertices;
+  const int64_t* cell_starts; /* site_count + 1, ascending from 0 */
+  const int64_t* corners;
+  int64_t ridge_count;
+  const int64_t* ridges;
+  const double* box; /* NULL for the usual one, or the least and then the largest coordinates */
+} circumspect_voronoi;
+
+#define CIRCUMSPECT_VORONOI \
+  { sizeof(circumspect_voronoi), 0, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, NULL }
+
 typedef struct circumspect_options {
   size_t struct_size;     /* set by CIRCUMSPECT_OPTIONS */
   int64_t threads;        /* 0: as many as the machine has; the answer is the same */
@@ -168,15 +187,22 @@ typedef struct circumspect_options {
   int32_t
       merge_equal_points; /* not 0: equal points count as one, the first (if weights count, the heaviest) */
   int32_t allow_empty; /* not 0: a mesh without points and simplices is judged */
+  const char*
+      demands; /* NULL, or what is demanded beside the claim, as the command's options: "only-extreme" */
+  /* What is demanded of the shape of every simplex, each as "min-angle:20.7deg" or "radius-edge <= sqrt(2)"; and
+   * NULL, or an angle as "60deg": simplices that touch both sides of a sharper one are set aside. */
+  int64_t require_count;
+  const char* const* require;
+  const char* except_sharp;
 } circumspect_options;
 
 #define CIRCUMSPECT_OPTIONS \
-  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0 }
+  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0, NULL, 0, NULL, NULL }
 
 typedef struct circumspect_verdict circumspect_verdict;
 
 /* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", "complex",
- * or, with a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt",
+ * "convex-hull" (of a list of facets), "surface-delaunay" (of triangles), or, with a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt",
  * "conforming-delaunay". Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and
  * so is a mesh without points and simplices, the usual output of a program that failed, unless it
  * is allowed. An index that names no point is the mesh's fault, and the verdict says so. For
@@ -187,6 +213,11 @@ CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
                                                      const circumspect_domain* domain,
                                                      const circumspect_options* options,
                                                      circumspect_verdict** verdict);
+/* Judges, exactly, whether the cells are the Voronoi cells of the sites, within a box, and within the
+ * distance that `within` of the options names (NULL: 0). Equal sites are CIRCUMSPECT_INPUT_FAULT. */
+CIRCUMSPECT_API circumspect_status circumspect_check_voronoi(const circumspect_voronoi* diagram,
+                                                             const circumspect_options* options,
+                                                             circumspect_verdict** verdict);
 CIRCUMSPECT_API void circumspect_verdict_free(circumspect_verdict* verdict); /* NULL is ignored */
 
 /* 1 or 0; −1: not known, or the verdict is NULL. Unique and canonical are facts about a Delaunay

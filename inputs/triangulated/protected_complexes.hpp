@@ -6,24 +6,9 @@
 
 #include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
-#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::properties {
 
-// ---- Merged facets ----
-// Coplanar triangles as one polygon. Book: Definition 4.3 (a linear cell may have holes, and may
-// touch itself).
-
-// Groups triangles that are coplanar and joined across edges. Requires: no two triangles have
-// interior points in common; no three coplanar ones have an edge in common.
-std::vector<std::vector<Simplex>> coplanar_parts(const PointSet& points,
-                                                 const std::vector<Simplex>& triangles);
-
-// Their union: lines along its boundary, which may pass a vertex twice, and a point in every hole.
-// Requires: one of the parts above.
-PolygonLines polygon_of(const PointSet& points, const std::vector<Simplex>& part);
-
-// ---- Protected complexes ----
 // The two readings of "edge-protected". "If the symbolic perturbations … are used to make the
 // vertices … generic, then every Delaunay edge is strongly Delaunay": the segments are edges of the
 // canonical Delaunay triangulation. Without perturbation, each has a closed circumball that

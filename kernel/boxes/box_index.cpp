@@ -16,8 +16,6 @@
 
 namespace circumspect {
 
-// ---- Boxes ----
-
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -37,35 +35,16 @@ double lower_sum(double a, double b) {
   return is_above ? std::nextafter(sum, -kInfinity) : sum;
 }
 
-// lower_double and upper_double at once: most values are doubles.
-void enclose(const Rational& value, double& low, double& high) {
-  low = high = value.get_d();
-  const int side = std::isfinite(low) ? cmp(exact_value(low), value) : 1;
-  if (side != 0) {
-    if (side > 0) low = lower_double(value);
-    if (side < 0 || !std::isfinite(high)) high = upper_double(value);
-  }
-}
-
 }  // namespace
-
-double lower_double(const Rational& value) {
-  // GMP rounds towards zero, which may be to either side of the value.
-  double rounded = value.get_d();
-  if (!std::isfinite(rounded)) return rounded > 0 ? kLargest : -kInfinity;
-  while (exact_value(rounded) > value) {
-    rounded = std::nextafter(rounded, -kInfinity);
-    if (!std::isfinite(rounded)) break;
-  }
-  return rounded;
-}
-
-double upper_double(const Rational& value) { return -lower_double(-value); }
 
 Box box_around(const Point& point) {
   assert(point.size() == 2 || point.size() == 3);
   Box box = {};
-  for (std::size_t i = 0; i < point.size(); ++i) enclose(point[i], box.low[i], box.high[i]);
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const auto [low, high] = enclosing(point[i]);
+    box.low[i] = low;
+    box.high[i] = high;
+  }
   constexpr std::array<std::array<std::size_t, 2>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
   for (std::size_t i = 0; i < kPairs.size(); ++i) {
     const auto [a, b] = kPairs[i];
@@ -83,6 +62,12 @@ Box box_around(const Box& a, const Box& b) {
     box.low[i] = std::min(a.low[i], b.low[i]);
     box.high[i] = std::max(a.high[i], b.high[i]);
   }
+  return box;
+}
+
+Box box_around_all(const std::vector<Point>& points) {
+  Box box = box_around(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) box = box_around(box, box_around(points[i]));
   return box;
 }
 
@@ -117,8 +102,6 @@ bool may_meet_inside(const Box& around, const Box& other) {
   }
   return true;
 }
-
-// ---- Their index ----
 
 namespace {
 

@@ -9,14 +9,10 @@
 #include <memory>
 #include <vector>
 
+#include "kernel/boxes/interval.hpp"
 #include "kernel/exact/point.hpp"
 
 namespace circumspect {
-
-// The largest double that is at most the value and the smallest that is at least the value; −∞ and
-// +∞ count as doubles.
-double lower_double(const Rational& value);
-double upper_double(const Rational& value);
 
 // A closed box whose edges are cut off: the least and the greatest value of x, y, z, x ± y, x ± z
 // and y ± z. Long oblique cells that pass each other have axis-parallel boxes that meet, but seldom
@@ -33,6 +29,9 @@ Box box_around(const Point& point);
 // The smallest box that holds both: if either holds a point, so does it, and it holds the convex
 // hull of all points that they hold.
 Box box_around(const Box& a, const Box& b);
+
+// A box that holds the convex hull of some points. Requires: not empty.
+Box box_around_all(const std::vector<Point>& points);
 
 // A box that holds all points whose coordinates differ from the centre's by the reach or less.
 Box cube(const Point& centre, const Rational& reach);

@@ -91,8 +91,6 @@ std::vector<Vertex> all_vertices(const PointSet& points) {
   return all;
 }
 
-// ---- Circumball ----
-
 Ball circumball(const PointSet& points, const Simplex& simplex) {
   assert(!simplex.empty());
   const Vertex first = simplex.front();
@@ -118,7 +116,6 @@ Rational power(const PointSet& points, const Ball& ball, Vertex q) {
   return squared_distance(points[q], ball.centre) - points.weight(q) - ball.squared_radius;
 }
 
-// ---- Proper intersection ----
 namespace {
 
 // A quick and exact "no": the smallest boxes around the simplices are disjoint.

@@ -14,7 +14,6 @@
 
 namespace circumspect {
 
-// ---- Point set ----
 // A finite set of points, weighted or not, with exact rational coordinates.
 // Book: Section 4.1 (point sets in R^d), Section 5.2 (weights).
 
@@ -83,7 +82,6 @@ Flat flat_through(const PointSet& points, const std::vector<std::size_t>& axes,
 // The vertices 0, 1, …, n−1.
 std::vector<Vertex> all_vertices(const PointSet& points);
 
-// ---- Circumball ----
 // Circumballs with exact centre and squared radius. Book: Definition 1.17 and Section 4.2; for
 // weighted points the orthoball whose lifted companion is the witness plane.
 
@@ -101,7 +99,6 @@ Ball circumball(const PointSet& points, const Simplex& simplex);
 // is strictly below the witness plane), zero on the sphere.
 Rational power(const PointSet& points, const Ball& ball, Vertex q);
 
-// ---- Proper intersection ----
 // Do two simplices meet in a common face or not at all? Book: Definition 2.1 by way of Section 1.5
 // (simplicial complexes).
 

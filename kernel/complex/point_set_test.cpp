@@ -13,7 +13,6 @@
 
 namespace circumspect {
 
-// ---- Point set ----
 // Point sets, and the duplicates that keep a list of points from being one.
 
 namespace {
@@ -107,7 +106,6 @@ TEST_CASE("flat: of a projection on some axes") {
   CHECK(flat_through(kPoints, {2}, {0, 1, 2, 3}).dimension() == 0);
 }
 
-// ---- Circumball ----
 // Circumballs and orthoballs.
 
 using generators::PointsCase;
@@ -165,7 +163,6 @@ TEST_CASE("circumball: it agrees with Cramer's rule, and power has the sign of t
   }
 }
 
-// ---- Proper intersection ----
 // Do two simplices meet in a common face? The linear program against circuits: two simplices meet
 // improperly iff some circuit, a minimal affinely dependent set, has its positive part among the
 // vertices of one and its negative part among those of the other (Radon's theorem).

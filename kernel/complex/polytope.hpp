@@ -1,17 +1,13 @@
-// Convex polytopes, and complexes of them.
+// The facets of the convex hull of some points, simplicial or not.
+// Book: Section 4.2 (the faces of conv S⁺ and of the cells of the Delaunay subdivision).
 #pragma once
 
 #include <functional>
-#include <map>
 #include <vector>
 
 #include "kernel/complex/point_set.hpp"
 
 namespace circumspect {
-
-// ---- Polytope ----
-// The facets of the convex hull of some points, simplicial or not.
-// Book: Section 4.2 (the faces of conv S⁺ and of the cells of the Delaunay subdivision).
 
 // A convex polytope, or a face of one: all points of a set that lie on it, in ascending order. In
 // an unweighted Delaunay subdivision these are its vertices; on a weighted one they may also be
@@ -36,37 +32,5 @@ std::vector<Face> facets_by_wrapping(const PointSet& points, const Face& polytop
 // projected members span all axes.
 Face some_facet(const PointSet& points, const std::vector<std::size_t>& axes,
                 const std::vector<Vertex>& members);
-
-// ---- Polyhedral complex ----
-// Polyhedral complexes with convex cells, such as the Delaunay subdivision.
-// Book: Section 4.2 ("a polyhedral complex called the Delaunay subdivision of S").
-
-// A k-dimensional polyhedral complex: its cells and all their faces, by dimension, each face as the
-// set of all points on it. Two complexes are the same iff they compare equal.
-class PolyhedralComplex {
- public:
-  // From its k-faces, each with all its points. Dimension −1, without cells, is the empty complex.
-  // Requires: every cell has the dimension k; two cells meet in a shared face or not at all.
-  PolyhedralComplex(const PointSet& points, int dimension, std::vector<Face> cells,
-                    const FacetsOfPolytope& facets_of);
-
-  int dimension() const { return static_cast<int>(faces_.size()) - 1; }
-  // The j-faces in lexicographic order. Requires: 0 ≤ j ≤ dimension().
-  const std::vector<Face>& faces(int j) const { return faces_[static_cast<std::size_t>(j)]; }
-  // The k-faces; the empty complex has none.
-  std::vector<Face> cells() const { return faces_.empty() ? std::vector<Face>{} : faces_.back(); }
-  // The facets of a face: the faces of one dimension less that bound it. Requires: one of faces().
-  const std::vector<Face>& facets_of(const Face& face) const { return facets_.at(face); }
-  // The vertices of a face: those of its points that are 0-faces.
-  Simplex vertices_of(const Face& face) const;
-  // Is every face a simplex?
-  bool is_simplicial() const;
-
-  bool operator==(const PolyhedralComplex&) const = default;
-
- private:
-  std::vector<std::vector<Face>> faces_;  // by dimension
-  std::map<Face, std::vector<Face>> facets_;
-};
 
 }  // namespace circumspect

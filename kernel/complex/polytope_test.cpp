@@ -6,13 +6,12 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "kernel/complex/polyhedral_complex.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect {
 namespace {
-
-// ---- Facets of polytopes, by definition and by wrapping ----
 
 using Faces = std::vector<Face>;
 
@@ -82,8 +81,6 @@ TEST_CASE("polytope: by definition and by wrapping agree") {
   }
 }
 
-// ---- Cells and their face lattice ----
-
 // Book: Figure 4.4, two cubes that share a square.
 PointSet two_cubes() {
   std::vector<Point> points;
@@ -131,5 +128,4 @@ TEST_CASE("polyhedral complex: empty, and a point") {
 }
 
 }  // namespace
-
 }  // namespace circumspect

@@ -59,9 +59,34 @@ bool next_subset(Simplex& subset, std::size_t n) {
   return true;
 }
 
-// ---- Facets ----
+std::vector<Simplex> faces(const Simplex& simplex, std::size_t size) {
+  std::vector<Simplex> found;
+  if (simplex.size() < size) return found;
+  Simplex places = first_subset(size);
+  do {
+    Simplex& face = found.emplace_back();
+    for (const Vertex place : places) face.push_back(simplex[static_cast<std::size_t>(place)]);
+  } while (next_subset(places, simplex.size()));
+  return found;
+}
 
-// ---- Oriented facets ----
+std::vector<Simplex> faces(const Simplex& simplex) {
+  std::vector<Simplex> all;
+  for (std::size_t size = 1; size <= simplex.size(); ++size) {
+    for (Simplex& face : faces(simplex, size)) all.push_back(std::move(face));
+  }
+  return all;
+}
+
+std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t size) {
+  std::vector<Simplex> found;
+  for (const Simplex& simplex : simplices) {
+    for (Simplex& face : faces(simplex, size)) found.push_back(sorted(std::move(face)));
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
 
 OrientedFacet OrientedFacet::of(const Simplex& vertices_in_order) {
   return {sorted(vertices_in_order), is_odd_permutation(vertices_in_order)};
@@ -81,8 +106,6 @@ Simplex join(const OrientedFacet& facet, Vertex apex) {
   if (facet.reversed) std::swap(simplex[simplex.size() - 1], simplex[simplex.size() - 2]);
   return simplex;
 }
-
-// ---- Which simplices have a facet ----
 
 std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices) {
   std::vector<FacetUse> uses;

@@ -1,6 +1,7 @@
 // Simplices and their facets: vertices, their order, and orientations.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <span>
 #include <vector>
@@ -9,7 +10,6 @@
 
 namespace circumspect {
 
-// ---- Simplex ----
 // Simplices as tuples of vertices, and all subsets of a given size, for loops "for every k+1
 // points".
 
@@ -39,7 +39,14 @@ Simplex first_subset(std::size_t size);
 // lexicographic order; false after the last.
 bool next_subset(Simplex& subset, std::size_t n);
 
-// ---- Facets ----
+// The faces with `size` vertices, each in the order of the simplex; and all faces, the smaller
+// first, the simplex itself last.
+std::vector<Simplex> faces(const Simplex& simplex, std::size_t size);
+std::vector<Simplex> faces(const Simplex& simplex);
+
+// The faces with `size` vertices of some simplices: ascending, each once, in lexicographic order.
+std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t size);
+
 // Facets: with a front and a back (Book: Section 5.1, "oriented triangular face"), and which
 // simplices of a list have them.
 
@@ -55,7 +62,13 @@ struct OrientedFacet {
   static OrientedFacet opposite(const Simplex& simplex, std::size_t place);
 
   OrientedFacet reverse() const { return {vertices, !reversed}; }
+  // The orientation of the vertices with a point in front as the last one.
+  int front() const { return reversed ? -1 : 1; }
   bool operator==(const OrientedFacet&) const = default;
+  std::strong_ordering operator<=>(const OrientedFacet& other) const {
+    const std::strong_ordering order = vertices <=> other.vertices;
+    return order != 0 ? order : front() <=> other.front();
+  }
 };
 
 // The simplex that joins a facet to an apex in front of it, positively oriented.

@@ -9,18 +9,16 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "kernel/complex/star_index.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect {
 
-// ---- Simplex ----
 // Simplices as tuples of vertices, and triangulations as sets of simplices.
 
 namespace {
-
-// ---- Simplices as tuples of vertices, and subsets ----
 
 // Distinct vertices in any order: a subset of 0, 3, 6, … shuffled by transpositions. `odd` says
 // whether their number is odd.
@@ -120,6 +118,15 @@ std::vector<Simplex> by_bit_patterns(std::size_t size, std::size_t n) {
   return all;
 }
 
+TEST_CASE("faces: of a simplex in its order, the smaller first; of several each once") {
+  CHECK(faces({9, 4, 7}) == std::vector<Simplex>{{9}, {4}, {7}, {9, 4}, {9, 7}, {4, 7}, {9, 4, 7}});
+  CHECK(faces({9, 4, 7}, 2) == std::vector<Simplex>{{9, 4}, {9, 7}, {4, 7}});
+  CHECK(faces({9, 4, 7}, 4).empty());
+  const std::vector<Simplex> two = {{3, 2, 1}, {0, 1, 2}, {5}};
+  CHECK(faces_of(two, 2) == std::vector<Simplex>{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}});
+  CHECK(faces_of(two, 1) == std::vector<Simplex>{{0}, {1}, {2}, {3}, {5}});
+}
+
 TEST_CASE("subsets: the pairs of four, in lexicographic order") {
   CHECK(all_subsets(2, 4) == std::vector<Simplex>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}});
 }
@@ -133,8 +140,6 @@ TEST_CASE("subsets: all of every size, each once, from the empty one to the whol
     }
   }
 }
-
-// ---- Triangulations as sets of simplices ----
 
 TEST_CASE("triangulation: neither the order of simplices nor that of vertices counts") {
   const Triangulation a(2, {{0, 1, 2}, {1, 3, 2}});
@@ -171,10 +176,7 @@ TEST_CASE("triangulation: the apexes at each facet, two inside and one on the hu
   CHECK(apexes_by_facet(Triangulation(-1, {})).empty());
 }
 
-// ---- Facets ----
 // Facets, the hash table of oriented facets, and stars. Book: Section 5.1.
-
-// ---- Which simplices have which facets ----
 
 TEST_CASE("facets: two triangles share one of five edges") {
   const std::vector<FacetUse> uses = facet_uses({{2, 0, 1}, {1, 2, 3}});
@@ -231,8 +233,6 @@ TEST_CASE("facets: every facet once, with exactly the simplices that contain it,
   }));
 }
 
-// ---- Stars and links of faces in a triangulation that changes ----
-
 using Simplices = std::vector<Simplex>;
 
 // Two triangles beside the edge 12, given with their vertices in some order.
@@ -288,5 +288,4 @@ TEST_CASE("star index: facets, joins and rests of simplices") {
 }
 
 }  // namespace
-
 }  // namespace circumspect

@@ -113,8 +113,6 @@ Integer determinant(SquareMatrix matrix) {
   return determinant_by_bareiss(std::move(matrix));
 }
 
-// ---- Linear system ----
-
 std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b) {
   end_if_interrupted();
   const std::size_t n = a.size();
@@ -136,7 +134,6 @@ std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rationa
   return b;
 }
 
-// ---- Linear programs ----
 namespace {
 
 // Rows B⁻¹[A | b] for the current basis; basis[i] is the variable that row i determines.
@@ -263,6 +260,27 @@ LinearProgramAnswer maximize(const LinearProgram& program) {
     if (tableau.basis[row] < n) answer.solution[tableau.basis[row]] = tableau.right_side(row);
   }
   return answer;
+}
+
+// Asked is for the largest ε that the positive unknowns can all reach: the program's unknowns are
+// x_i − ε for these, the others, and ε.
+bool is_solvable(RationalMatrix equations, std::vector<Rational> right_sides,
+                 std::size_t positive) {
+  LinearProgram program{std::move(equations), std::move(right_sides), {}};
+  std::size_t unknowns = 0;
+  for (std::vector<Rational>& row : program.equations) {
+    unknowns = row.size();
+    Rational sum = 0;
+    for (std::size_t i = 0; i < positive; ++i) sum += row[i];
+    row.push_back(sum);
+  }
+  program.objective.assign(unknowns, 0);
+  program.objective.emplace_back(1);
+  const LinearProgramAnswer answer = maximize(program);
+  if (answer.status != LinearProgramStatus::kOptimal || positive == 0) {
+    return answer.status != LinearProgramStatus::kInfeasible;
+  }
+  return sign(answer.value) > 0;
 }
 
 }  // namespace circumspect

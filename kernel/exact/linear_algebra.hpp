@@ -12,7 +12,6 @@ namespace circumspect {
 
 // Determinants and systems of linear equations, exactly.
 
-// ---- Determinant ----
 // Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
 // speed alone: `build delaunay` takes 50 % longer with elimination, which would suffice, and 130 %
 // longer with cofactors.
@@ -43,7 +42,6 @@ Integer determinant(SquareMatrix matrix);
 Integer determinant_by_laplace(const SquareMatrix& matrix);  // Requires: order <= 4.
 Integer determinant_by_bareiss(SquareMatrix matrix);
 
-// ---- Linear system ----
 // Systems of linear equations over the rationals.
 
 using RationalMatrix = std::vector<std::vector<Rational>>;
@@ -52,7 +50,6 @@ using RationalMatrix = std::vector<std::vector<Rational>>;
 // Requires: A is square, b as long as A.
 std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b);
 
-// ---- Linear programs ----
 // Small linear programs over the rationals.
 
 // Maximise objective·x subject to equations·x = right_sides, x ≥ 0.
@@ -75,5 +72,10 @@ struct LinearProgramAnswer {
 // The simplex method with Bland's rule (R. Bland, Math. Oper. Res. 2, 1977), which cannot cycle,
 // from an artificial basis. Requires: all rows have the length of the objective.
 LinearProgramAnswer maximize(const LinearProgram& program);
+
+// Have the equations a solution in which the first `positive` unknowns are positive and the others
+// are not negative? Requires: as many right sides as equations, which all have one length.
+bool is_solvable(RationalMatrix equations, std::vector<Rational> right_sides,
+                 std::size_t positive = 0);
 
 }  // namespace circumspect

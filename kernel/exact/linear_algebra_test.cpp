@@ -14,7 +14,6 @@
 
 namespace circumspect {
 
-// ---- Determinant ----
 // Determinants: two methods, compared with each other and with the definition.
 
 namespace {
@@ -132,10 +131,7 @@ TEST_CASE("determinant: rows that depend on each other make it zero") {
   }));
 }
 
-// ---- Linear program ----
 // Systems of linear equations, and linear programs.
-
-// ---- Square systems of linear equations ----
 
 std::vector<Rational> product(const RationalMatrix& a, const std::vector<Rational>& x) {
   std::vector<Rational> b;
@@ -175,8 +171,6 @@ TEST_CASE("linear system: there is an answer iff the determinant is not zero, an
   }));
   CHECK(singular > 0);
 }
-
-// ---- The simplex method against the enumeration of all basic solutions ----
 
 using Status = LinearProgramStatus;
 
@@ -343,6 +337,22 @@ TEST_CASE("linear program: it agrees with the enumeration of all basic solutions
     check_against_enumeration(program, seen);
   }));
   CHECK(seen.size() == 3);  // every answer came up
+}
+
+TEST_CASE("is_solvable: by numbers that are not negative, or that have to be positive") {
+  const RationalMatrix sum = {{1, 1}};
+  CHECK(is_solvable(sum, {1}));
+  CHECK(is_solvable(sum, {1}, 2));
+  CHECK(is_solvable(sum, {0}));
+  CHECK_FALSE(is_solvable(sum, {0}, 1));
+  CHECK_FALSE(is_solvable(sum, {-1}));
+  const RationalMatrix difference = {{1, -1}};
+  CHECK(is_solvable(difference, {0}, 2));  // by numbers of any size
+  CHECK(is_solvable(difference, {-1}, 1));
+  // x = 1 and y = 0.
+  const RationalMatrix both = {{1, 1}, {1, -1}};
+  CHECK(is_solvable(both, {1, 1}, 1));
+  CHECK_FALSE(is_solvable(both, {1, 1}, 2));
 }
 
 }  // namespace

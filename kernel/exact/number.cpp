@@ -12,6 +12,8 @@
 #include <locale.h>
 #include <mpfr.h>
 
+#include "kernel/exact/float.hpp"
+
 namespace circumspect {
 
 Rational exact_value(double value) {
@@ -29,6 +31,19 @@ Integer least_common_multiple(const Integer& a, const Integer& b) {
   return result;
 }
 
+Integer common_denominator(std::span<const Rational> numbers, Integer of_others) {
+  for (const Rational& number : numbers) {
+    const Integer& own = number.get_den();
+    if (mpz_divisible_p(of_others.get_mpz_t(), own.get_mpz_t()) != 0) continue;
+    of_others = least_common_multiple(of_others, own);
+  }
+  return of_others;
+}
+
+Integer numerator_over(const Integer& denominator, const Rational& value) {
+  return value.get_num() * exact_quotient(denominator, value.get_den());
+}
+
 void add_product(Integer& sum, const Integer& a, const Integer& b) {
   mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
@@ -42,10 +57,6 @@ Integer exact_quotient(const Integer& dividend, const Integer& divisor) {
   mpz_divexact(result.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
   return result;
 }
-
-// ---- Number text ----
-
-// ---- Reading ----
 
 namespace {
 
@@ -180,24 +191,9 @@ Result read_number(std::string_view token, NumberReading reading) {
   return exact_value(value);
 }
 
-// ---- Writing ----
-
 namespace {
 
 constexpr mpfr_prec_t kDoublePrecision = 53;
-
-// An MPFR number that frees itself.
-class Float {
- public:
-  explicit Float(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
-  ~Float() { mpfr_clear(value_); }
-  Float(const Float&) = delete;
-  Float& operator=(const Float&) = delete;
-  mpfr_ptr get() { return value_; }
-
- private:
-  mpfr_t value_;
-};
 
 std::string shortest(double value) {
   char buffer[64];
@@ -262,11 +258,36 @@ std::string square_root_to_decimal(const Rational& value) {
   }
 }
 
+namespace {
+
+// One end of an enclosure of a sum of roots, rounded to 53 bits.
+void rounded_sum_of_roots(Float& result, std::span<const Rational> values, mpfr_prec_t precision,
+                          mpfr_rnd_t toward) {
+  Float sum(precision), root(precision);
+  mpfr_set_zero(sum.get(), 1);
+  for (const Rational& value : values) {
+    mpfr_set_q(root.get(), value.get_mpq_t(), toward);
+    mpfr_sqrt(root.get(), root.get(), toward);
+    mpfr_add(sum.get(), sum.get(), root.get(), toward);
+  }
+  mpfr_set(result.get(), sum.get(), MPFR_RNDN);
+}
+
+}  // namespace
+
+std::string sum_of_roots_to_decimal(std::span<const Rational> values) {
+  constexpr mpfr_prec_t kMost = 4096;
+  for (mpfr_prec_t precision = 4 * kDoublePrecision;; precision *= 2) {
+    Float low(kDoublePrecision), high(kDoublePrecision);
+    rounded_sum_of_roots(low, values, precision, MPFR_RNDD);
+    rounded_sum_of_roots(high, values, precision, MPFR_RNDU);
+    if (mpfr_equal_p(low.get(), high.get()) != 0 || precision > kMost) return print(low);
+  }
+}
+
 std::string number_libraries() {
   return std::string("GMP ") + gmp_version + ", MPFR " + mpfr_get_version();
 }
-
-// ---- Exhausted memory ----
 
 namespace {
 

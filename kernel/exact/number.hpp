@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,7 +18,6 @@
 
 namespace circumspect {
 
-// ---- Number ----
 // Exact numbers. This folder is the only place that names the number library (GMP, MPFR): every
 // other file says Integer and Rational, so that the library could be replaced here alone.
 
@@ -54,6 +54,12 @@ std::size_t bit_length(const Integer& value);
 // Least common multiple, always positive. Requires: a, b nonzero.
 Integer least_common_multiple(const Integer& a, const Integer& b);
 
+// The least common multiple of `of_others` and the denominators of some numbers.
+Integer common_denominator(std::span<const Rational> numbers, Integer of_others = 1);
+
+// The numerator of a number over this denominator. Requires: a multiple of the number's own.
+Integer numerator_over(const Integer& denominator, const Rational& value);
+
 // sum += a · b and sum −= a · b, without a number in between.
 void add_product(Integer& sum, const Integer& a, const Integer& b);
 void subtract_product(Integer& sum, const Integer& a, const Integer& b);
@@ -61,7 +67,6 @@ void subtract_product(Integer& sum, const Integer& a, const Integer& b);
 // Quotient of a division that is known to leave no remainder.
 Integer exact_quotient(const Integer& dividend, const Integer& divisor);
 
-// ---- Number text ----
 // Exact numbers and text, both ways.
 
 // How a decimal such as "0.1" is meant. Other programs read it into a double, so that is what they
@@ -101,10 +106,13 @@ std::string to_decimal(const Rational& value);
 // The same for the square root of a value. Requires: value >= 0.
 std::string square_root_to_decimal(const Rational& value);
 
+// The same for the sum of the square roots of many values; where 4096 bits do not tell which of two
+// doubles is nearer, either of them. Requires: all values >= 0.
+std::string sum_of_roots_to_decimal(std::span<const Rational> values);
+
 // The number libraries in use, with their versions: "GMP 6.2.1, MPFR 4.2.0".
 std::string number_libraries();
 
-// ---- Exhausted memory ----
 // What happens when a number needs more memory than there is.
 
 // By default GMP and MPFR then end the process with SIGABRT; after this call they call `end`

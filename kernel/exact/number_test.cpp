@@ -16,10 +16,7 @@
 
 namespace circumspect {
 
-// ---- Number text ----
 // Exact numbers and text, both ways.
-
-// ---- Reading ----
 
 namespace {
 
@@ -149,8 +146,6 @@ TEST_CASE("a double reading is the decimal reading, rounded as strtod rounds") {
   }));
 }
 
-// ---- Writing ----
-
 namespace {
 
 Rational fraction(const Integer& above, const Integer& below) {
@@ -162,6 +157,18 @@ Rational fraction(const Integer& above, const Integer& below) {
 Integer power_of_two(unsigned long exponent) { return Integer(1) << exponent; }
 
 }  // namespace
+
+TEST_CASE("numbers over a common denominator are integers, and no smaller one will do") {
+  const std::vector<Rational> numbers = {Rational(-3, 4), Rational(5, 6), 7};
+  const Integer common = common_denominator(numbers);
+  CHECK(common == 12);
+  CHECK(common_denominator({}) == 1);
+  CHECK(common_denominator(numbers, 10) == 60);
+  CHECK(common_denominator(numbers, 24) == 24);
+  CHECK(numerator_over(common, numbers[0]) == -9);
+  CHECK(numerator_over(common, numbers[1]) == 10);
+  CHECK(numerator_over(common, numbers[2]) == 84);
+}
 
 TEST_CASE("exact values in lowest terms") {
   CHECK(to_string(Integer(-7)) == "-7");
@@ -258,8 +265,6 @@ TEST_CASE("square roots are correctly rounded") {
     RC_ASSERT(std::strtod(square_root_to_decimal(exact_value(x)).c_str(), nullptr) == std::sqrt(x));
   }));
 }
-
-// ---- Exhausted memory ----
 
 // AddressSanitizer takes more address space than any limit.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)

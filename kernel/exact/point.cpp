@@ -36,12 +36,28 @@ Rational inner_product(const Point& a, const Point& b) {
 
 Point cross_product(const Point& a, const Point& b) {
   assert(a.size() == 3 && b.size() == 3);
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {cross_product(a, b, 1, 2), cross_product(a, b, 2, 0), cross_product(a, b, 0, 1)};
+}
+
+Rational cross_product(const Point& a, const Point& b, std::size_t x, std::size_t y) {
+  return a[x] * b[y] - a[y] * b[x];
 }
 
 Rational squared_length(const Point& a) { return inner_product(a, a); }
 
 Rational squared_distance(const Point& a, const Point& b) { return squared_length(a - b); }
+
+Rational squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Rational t = inner_product(p - a, b - a) / squared_distance(a, b);
+  if (sign(t) <= 0) return squared_distance(p, a);
+  if (t >= 1) return squared_distance(p, b);
+  return squared_distance(p, a + t * (b - a));
+}
+
+std::size_t longest_axis(const Point& a) {
+  const auto is_shorter = [](const Rational& x, const Rational& y) { return abs(x) < abs(y); };
+  return static_cast<std::size_t>(std::max_element(a.begin(), a.end(), is_shorter) - a.begin());
+}
 
 Point barycentre(const std::vector<Point>& points) {
   assert(!points.empty());
@@ -49,8 +65,6 @@ Point barycentre(const std::vector<Point>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) sum = sum + points[i];
   return Rational(1, static_cast<unsigned long>(points.size())) * sum;
 }
-
-// ---- Affine hull ----
 
 namespace {
 

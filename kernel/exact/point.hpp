@@ -8,8 +8,6 @@
 
 namespace circumspect {
 
-// ---- Point ----
-
 // Cartesian coordinates. std::vector's operator< is the lexicographic order of the perturbation.
 using Point = std::vector<Rational>;
 
@@ -19,14 +17,20 @@ Point operator*(const Rational& factor, const Point& a);
 Rational inner_product(const Point& a, const Point& b);
 // Requires: three coordinates each.
 Point cross_product(const Point& a, const Point& b);
+// In a coordinate plane: a_x b_y − a_y b_x, twice the signed area of the triangle 0ab projected on
+// the axes x and y.
+Rational cross_product(const Point& a, const Point& b, std::size_t x, std::size_t y);
 Rational squared_length(const Point& a);
 Rational squared_distance(const Point& a, const Point& b);
+// Of a point and the segment ab. Requires: a ≠ b.
+Rational squared_distance_to_segment(const Point& p, const Point& a, const Point& b);
+// The axis on which the vector is longest, the first of them. Requires: a coordinate.
+std::size_t longest_axis(const Point& a);
 
 // The arithmetic mean of the vertices of a simplex, a point of its relative interior.
 // Requires: points is not empty, all of one dimension.
 Point barycentre(const std::vector<Point>& points);
 
-// ---- Affine hull ----
 // The affine hull of a set of points, and coordinates in it.
 // Book: Section 4.1 ("if the affine hull of S is k-dimensional …").
 

@@ -2,19 +2,19 @@
 #include "kernel/exact/point.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include "inputs/plain_algebra.hpp"
+#include "kernel/exact/triple.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect {
 namespace {
-
-// ---- Points as vectors ----
 
 rc::Gen<Point> vectors() { return rc::gen::container<Point>(3, generators::small_rational()); }
 
@@ -49,6 +49,57 @@ TEST_CASE("point: the operators make a vector space with an inner product") {
   }));
 }
 
+TEST_CASE("point: the cross product is at right angles to both, by the right hand") {
+  CHECK(cross_product(Point{1, 0, 0}, Point{0, 1, 0}) == Point{0, 0, 1});
+  CHECK(cross_product(Point{3, 0, 9}, Point{4, 7, 2}, 0, 1) == 21);
+  CHECK(cross_product(Point{3, 0, 9}, Point{4, 7, 2}, 0, 2) == -30);
+  CHECK(properties::holds([] {
+    const Point a = *vectors();
+    const Point b = *vectors();
+    const Point across = cross_product(a, b);
+    RC_ASSERT(sign(inner_product(across, a)) == 0);
+    RC_ASSERT(sign(inner_product(across, b)) == 0);
+    const Rational of_both = inner_product(a, b);
+    RC_ASSERT(squared_length(across) == squared_length(a) * squared_length(b) - of_both * of_both);
+    RC_ASSERT(across == Rational(-1) * cross_product(b, a));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      RC_ASSERT(cross_product(a, b, (axis + 1) % 3, (axis + 2) % 3) == across[axis]);
+    }
+  }));
+}
+
+TEST_CASE("point: the distance of a point from a segment is that of the nearest point of it") {
+  const Point a = {0, 0}, b = {4, 2};
+  CHECK(squared_distance_to_segment({-3, -4}, a, b) == 25);
+  CHECK(squared_distance_to_segment({7, 6}, a, b) == 25);
+  CHECK(squared_distance_to_segment({1, 3}, a, b) == 5);
+  CHECK(squared_distance_to_segment({1, Rational(1, 2)}, a, b) == 0);
+}
+
+TEST_CASE("point: the longest axis is the first of those that no other exceeds") {
+  CHECK(longest_axis({0}) == 0);
+  CHECK(longest_axis({1, -3, 3}) == 1);
+  CHECK(longest_axis({Rational(-1, 3), Rational(1, 3), Rational(1, 4)}) == 0);
+}
+
+TEST_CASE("triple: numbers of every kind have the products that points have") {
+  CHECK(properties::holds([] {
+    const auto numbers = rc::gen::container<std::vector<int>>(3, rc::gen::inRange(-999, 1000));
+    const std::vector<int> a = *numbers, b = *numbers;
+    const Point p(a.begin(), a.end()), q(b.begin(), b.end());
+    const auto is_that_of_points = [&](const auto& zero) {
+      using Number = std::decay_t<decltype(zero)>;
+      const Triple<Number> u = {a[0], a[1], a[2]}, v = {b[0], b[1], b[2]};
+      const auto point = [](const Triple<Number>& t) { return Point{t[0], t[1], t[2]}; };
+      return point(difference(u, v)) == p - q && inner_product(u, v) == inner_product(p, q) &&
+             point(cross_product(u, v)) == cross_product(p, q);
+    };
+    RC_ASSERT(is_that_of_points(Integer(0)));
+    RC_ASSERT(is_that_of_points(Rational(0)));
+    RC_ASSERT(is_that_of_points(long{0}));
+  }));
+}
+
 TEST_CASE("point: the barycentre balances the vertices, in any order of them") {
   CHECK(properties::holds([] {
     std::vector<Point> points =
@@ -67,8 +118,6 @@ TEST_CASE("point: operator< is the lexicographic order of exact coordinates") {
   CHECK(Point{Rational(1, 3)} < Point{exact_value(0.33333333333333337)});
   CHECK(Point{exact_value(0.33333333333333331)} < Point{Rational(1, 3)});
 }
-
-// ---- The affine hull of points against ranks by minors ----
 
 std::vector<Point> some(const std::vector<Point>& points, const std::vector<std::size_t>& which) {
   std::vector<Point> chosen;

@@ -6,7 +6,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
-#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/validity.hpp"

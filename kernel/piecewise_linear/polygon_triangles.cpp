@@ -14,8 +14,6 @@
 
 namespace circumspect {
 
-// ---- A plane sweep ----
-
 namespace {
 
 // A line sweeps over the plane and meets the vertices in lexicographic order of their coordinates
@@ -168,8 +166,6 @@ std::vector<Simplex> triangulate_by_sweep(const PointSet& points,
   return Sweep(points, axes).run(vertices, segments);
 }
 
-// ---- The triangles of a polygon ----
-
 namespace {
 
 Point projection(const Point& point, const std::vector<std::size_t>& axes) {
@@ -186,8 +182,7 @@ std::vector<std::size_t> triangles_at(const std::vector<Point>& seeds, const Poi
   for (const Simplex& triangle : triangles) {
     std::vector<Point> projections;
     for (const Vertex v : triangle) projections.push_back(projection(points[v], axes));
-    boxes.push_back(box_around(box_around(box_around(projections[0]), box_around(projections[1])),
-                               box_around(projections[2])));
+    boxes.push_back(box_around_all(projections));
     corners.push_back(std::move(projections));
   }
   const BoxIndex index(boxes);

@@ -328,16 +328,14 @@ Where Regions::locate(const Point& point) const {
 
 // Is it a convex combination of the points?
 bool Regions::is_in_hull(const Point& point) const {
-  LinearProgram program;
-  program.equations.assign(point.size() + 1, {});
-  program.right_sides = point;
-  program.right_sides.emplace_back(1);
+  RationalMatrix rows(point.size() + 1);
   for (const Point& p : *hull_of_) {
-    for (std::size_t axis = 0; axis < p.size(); ++axis) program.equations[axis].push_back(p[axis]);
-    program.equations.back().emplace_back(1);
+    for (std::size_t axis = 0; axis < p.size(); ++axis) rows[axis].push_back(p[axis]);
+    rows.back().emplace_back(1);
   }
-  program.objective.assign(hull_of_->size(), 0);
-  return maximize(program).status != LinearProgramStatus::kInfeasible;
+  std::vector<Rational> right = point;
+  right.emplace_back(1);
+  return is_solvable(std::move(rows), std::move(right));
 }
 
 }  // namespace circumspect

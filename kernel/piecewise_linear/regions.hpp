@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
-#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect {
 
-// ---- Wall set ----
 // The walls of a complex, and where points and straight lines meet them.
 // Book: Section 4.5.2 ("A linear cell in P that intersects the relative interior of xy but does not
 // include xy occludes the visibility between x and y").
@@ -85,7 +84,6 @@ class WallSet {
   BoxIndex index_;
 };
 
-// ---- Regions ----
 // The polyhedra of a piecewise linear complex: the components of the complement of its walls.
 // Book: Section 4.5.1 ("the underlying space … the domain to be triangulated").
 

@@ -12,8 +12,6 @@ namespace circumspect {
 
 namespace {
 
-// ---- Polygons out of lines, and the triangles that say what belongs to them ----
-
 TEST_CASE("assemble: a box has 12 segments and 12 walls") {
   const auto complex = assemble(generators::box(0, 1));
   CHECK(complex.segments.size() == 12);
@@ -36,7 +34,7 @@ TEST_CASE("assemble: a square with a square hole, a slit and an isolated vertex"
   for (const Simplex& t : polygon.triangles) {
     const Point u = complex.points[t[1]] - complex.points[t[0]];
     const Point v = complex.points[t[2]] - complex.points[t[0]];
-    area += abs(u[0] * v[1] - u[1] * v[0]) / 2;
+    area += abs(cross_product(u, v, 0, 1)) / 2;
   }
   CHECK(area == 72);
 }
@@ -47,8 +45,6 @@ TEST_CASE("assemble: an L-shaped polygon without its notch") {
   input.polygons = {{{{0, 1, 2, 3, 4, 5}}, {}}};
   CHECK(assemble(input).polygons.front().triangles.size() == 4);
 }
-
-// ---- Regions of the plane and of space ----
 
 std::size_t count(const Regions& regions, Where where) {
   std::size_t count = 0;

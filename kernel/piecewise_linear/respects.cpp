@@ -45,19 +45,6 @@ bool is_segment(const PiecewiseLinearComplex& complex, const Simplex& edge) {
   return std::binary_search(complex.segments.begin(), complex.segments.end(), edge);
 }
 
-// Faces of three vertices, and of two.
-std::vector<Simplex> faces(const Simplex& simplex, std::size_t size) {
-  if (simplex.size() < size) return {};
-  if (simplex.size() == size) return {simplex};
-  std::vector<Simplex> found;
-  for (std::size_t i = 0; i < simplex.size(); ++i) {
-    for (const Simplex& face : faces(facet_opposite(simplex, i), size)) found.push_back(face);
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
-
 bool share_a_vertex(const Simplex& a, const Simplex& b) {
   return std::any_of(a.begin(), a.end(), [&](Vertex v) { return contains(b, v); });
 }
@@ -85,9 +72,9 @@ class Respecting {
   }
 
   bool no_segment_across() const {
-    const std::vector<Simplex> edges = faces(simplex_, 2);
+    const std::vector<Simplex> edges = faces_of({simplex_}, 2);
     const std::vector<Simplex> triangles =
-        points_.ambient_dimension() == 3 ? faces(simplex_, 3) : std::vector<Simplex>();
+        points_.ambient_dimension() == 3 ? faces_of({simplex_}, 3) : std::vector<Simplex>();
     for (const Simplex& segment : regions_.cells().segments(box_)) {
       for (const Simplex& edge : edges) {
         if (!share_a_vertex(segment, edge) && segments_cross(points_, segment, edge)) return false;
@@ -102,7 +89,7 @@ class Respecting {
   bool no_wall_across() const {
     if (points_.ambient_dimension() == 2) return true;  // walls are segments
     const PointSet& points = complex_.points;
-    for (const Simplex& edge : faces(simplex_, 2)) {
+    for (const Simplex& edge : faces_of({simplex_}, 2)) {
       for (const std::size_t i : regions_.walls().near(points[edge[0]], points[edge[1]])) {
         const Simplex& wall = regions_.walls().simplices()[i];
         if (segment_pierces_triangle(points_, edge, wall)) return false;

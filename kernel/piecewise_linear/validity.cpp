@@ -9,6 +9,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/piecewise_linear/nearest_plane.hpp"
@@ -21,23 +22,13 @@
 namespace circumspect {
 
 Rational offset_from_plane(const std::vector<Point>& plane, const Point& q) {
-  const Point u = plane[1] - plane[0];
-  const Point v = plane[2] - plane[0];
-  const Point normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                        u[0] * v[1] - u[1] * v[0]};
-  std::size_t greatest = 0;
-  for (const std::size_t axis : {1u, 2u}) {
-    if (abs(normal[axis]) > abs(normal[greatest])) greatest = axis;
-  }
-  assert(sign(normal[greatest]) != 0);
-  return inner_product(normal, q - plane[0]) / normal[greatest];
+  const Point normal = cross_product(plane[1] - plane[0], plane[2] - plane[0]);
+  const Rational& longest = normal[longest_axis(normal)];
+  assert(sign(longest) != 0);
+  return inner_product(normal, q - plane[0]) / longest;
 }
 
-// ---- Validity ----
-
 namespace {
-
-// ---- Stages 1 and 2: one cell at a time ----
 
 bool names_a_point(const PiecewiseLinearInput& input, Vertex v) {
   return v >= 0 && v < static_cast<Vertex>(input.points.size());
@@ -128,8 +119,6 @@ void find_plane_breaches(const PiecewiseLinearInput& input, const PointSet& poin
   }
 }
 
-// ---- Stage 2: do vertices and segments form a simplicial complex? ----
-
 // Two segments of one line that overlap have an end of one inside the other, or are the same.
 void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& segments,
                            const Progress& progress, BreachList& found) {
@@ -155,8 +144,6 @@ void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& s
     }
   }
 }
-
-// ---- Stage 3: what the lines of a polygon enclose ----
 
 // Which of some simplices hold a point.
 class Simplices {
@@ -256,8 +243,6 @@ void find_area_breaches(const PiecewiseLinearInput& input, const PiecewiseLinear
     }
   }
 }
-
-// ---- All stages ----
 
 // The elements of `a` that are not in `b`; both ascending.
 template <typename A, typename B>

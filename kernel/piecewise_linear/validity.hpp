@@ -18,7 +18,6 @@
 
 namespace circumspect {
 
-// ---- Breach ----
 // What is wrong with an input that is not a piecewise linear complex. Book: Definition 4.3.
 
 // One breach with its witness: breaches.def says what each kind sets. Vertices are indices of the
@@ -71,7 +70,6 @@ class BreachList {
 // Requires: three points of space that are not on one line.
 Rational offset_from_plane(const std::vector<Point>& plane, const Point& q);
 
-// ---- Polygon breaches ----
 // The stages of `validated` that compare polygons with other cells. Book: Section 4.5.1, Definition
 // 4.3.
 
@@ -84,8 +82,6 @@ void find_piercing_segments(const PiecewiseLinearComplex& complex, const Progres
 void find_polygon_pair_breaches(const PiecewiseLinearComplex& complex, const Progress& progress,
                                 BreachList& found);
 void find_hole_seed_breaches(const PiecewiseLinearComplex& complex, BreachList& found);
-
-// ---- Validity ----
 
 // The listener of `validated`.
 struct ValidityWatch {

@@ -53,7 +53,6 @@ class Visibility {
     return std::binary_search(complex_.segments.begin(), complex_.segments.end(), edge);
   }
 
-  // ---- 1. Where lines of sight enter σ ----
   //
   // If v ∉ aff σ, they meet σ in one point each: φ = σ. If v ∈ aff σ, each enters σ through a facet
   // φ that v lies strictly beyond (all but a nowhere dense set of them through relint φ), and runs
@@ -93,7 +92,6 @@ class Visibility {
     });
   }
 
-  // ---- 2. What occludes ----
   //
   // Some cells meet H in a set that fills no more than k − 2 dimensions of directions: vertices;
   // segments, unless k = 2 and they lie in H; polygons whose plane contains v. They block a nowhere
@@ -228,7 +226,6 @@ class Visibility {
     }
   }
 
-  // ---- 3. The domain ----
   //
   // A line of sight ]x, v[ that is not occluded lies in one region, or in one polygon in H (generic
   // lines are in no segment). If v ∈ aff σ, it begins in relint σ, so it stays in the region, or

@@ -11,7 +11,6 @@
 
 namespace circumspect {
 
-// ---- Sight cone ----
 // The part of a simplex that can be seen from a point, past obstacles. Book: Definition 2.13
 // (visibility).
 
@@ -54,7 +53,6 @@ class SightCone {
   std::vector<Polygon> open_;  // in barycentric coordinates, the first left out
 };
 
-// ---- Visibility ----
 // Respecting a piecewise linear complex, and visibility in it.
 // Book: Definitions 2.11 and 2.13, quoted in Section 4.5.2.
 

@@ -15,7 +15,7 @@ std::vector<Simplex> in_order(std::vector<Simplex> walls) {
 
 // Positive if the three turn left in the plane of two coordinates.
 int turn(const Point& p, const Point& q, const Point& r, std::size_t x, std::size_t y) {
-  return cmp((q[x] - p[x]) * (r[y] - p[y]), (q[y] - p[y]) * (r[x] - p[x]));
+  return sign(cross_product(q - p, r - p, x, y));
 }
 
 }  // namespace
@@ -42,8 +42,7 @@ Point WallSet::normal(std::size_t wall) const {
   const Simplex& w = walls_[wall];
   const Point a = point(w[1]) - point(w[0]);
   if (w.size() == 2) return {a[1], -a[0]};
-  const Point b = point(w[2]) - point(w[0]);
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return cross_product(a, point(w[2]) - point(w[0]));
 }
 
 // det[w_0 − p; …; w_{d−1} − p], as in `orientation`.

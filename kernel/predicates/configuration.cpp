@@ -40,11 +40,6 @@ std::vector<long> leading_words(const std::vector<Integer>& numbers) {
   return words;
 }
 
-// value · scale, which is known to be an integer.
-Integer scaled(const Rational& value, const Integer& scale) {
-  return value.get_num() * exact_quotient(scale, value.get_den());
-}
-
 }  // namespace
 
 Configuration::Configuration(const std::vector<Point>& points, const std::vector<Rational>& weights)
@@ -78,8 +73,8 @@ void Configuration::choose_denominators(const std::vector<Point>& points,
   for (std::size_t v = 0; v < points.size(); ++v) {
     end_if_interrupted();
     Integer& own = denominators_[v];
-    for (const Rational& x : points[v]) own = least_common_multiple(own, x.get_den());
-    if (!weights.empty()) own = least_common_multiple(own, weights[v].get_den());
+    own = common_denominator(points[v]);
+    if (!weights.empty()) own = common_denominator({&weights[v], 1}, own);
     if (!has_common_denominator_) continue;
     common = least_common_multiple(common, own);
     has_common_denominator_ = bit_length(common) <= kLargestCommonScale;
@@ -96,11 +91,11 @@ void Configuration::scale_to_integers(const std::vector<Point>& points,
     const Integer& denominator = denominators_[v];
     Integer height = 0;
     for (const Rational& x : points[v]) {
-      const Integer numerator = scaled(x, denominator);
+      const Integer numerator = numerator_over(denominator, x);
       height += numerator * numerator;
       numerators_.push_back(numerator);
     }
-    if (!weights.empty()) height -= scaled(weights[v], denominator) * denominator;
+    if (!weights.empty()) height -= numerator_over(denominator, weights[v]) * denominator;
     heights_.push_back(height);
   }
 }

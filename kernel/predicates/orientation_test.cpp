@@ -15,7 +15,6 @@
 
 namespace circumspect {
 
-// ---- Configuration ----
 // A configuration represents its points exactly, whatever integers they are scaled to.
 
 namespace {
@@ -78,7 +77,6 @@ TEST_CASE("configuration: of no point, of one, and of a flat set") {
         std::vector<std::size_t>{0, 1});
 }
 
-// ---- Orientation ----
 // The laws of kernel/predicates/orientation.hpp, under their numbers.
 
 using generators::configuration;
@@ -259,7 +257,6 @@ TEST_CASE("the orientation within the hull of all points is taken on the hull's 
   }));
 }
 
-// ---- Intersection ----
 // What vertices, segments and triangles have in common.
 
 using Corners = std::vector<Point>;

@@ -9,8 +9,6 @@
 
 namespace circumspect::certificate {
 
-// ---- Refutation acceptor ----
-
 class RefutationAcceptor {
  public:
   // Throws what is malformed.
@@ -292,7 +290,6 @@ class RefutationAcceptor {
   bool spans_ = false;
 };
 
-// ---- Accepted ----
 // Writes what proves a verdict and holds it against its conditions, for tests.
 
 inline std::string text_of(const ExactMesh& mesh, const Document& document) {

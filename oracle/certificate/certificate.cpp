@@ -11,7 +11,6 @@
 
 namespace circumspect::certificate {
 
-// ---- Lines ----
 Lines& Lines::operator<<(std::string_view token) {
   if (token.empty()) return *this;
   if (!at_start_) text_ += ' ';
@@ -66,7 +65,6 @@ void write_point(Lines& lines, const HomogeneousPoint& point) {
   lines << point.denominator;
 }
 
-// ---- Certificate ----
 FaceUse face_use(std::span<const std::uint32_t> vertices, std::size_t cell, std::size_t place) {
   FaceUse use{{0, 0, 0}, static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(place)};
   std::size_t size = 0;
@@ -92,10 +90,6 @@ std::vector<FaceUse> facets(const ExactMesh& mesh) {
 
 void sort(std::vector<FaceUse>& uses) { std::sort(uses.begin(), uses.end()); }
 
-// ---- Certificate ----
-
-namespace {
-
 std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   std::vector<Vertex> order(points.size());
   std::iota(order.begin(), order.end(), Vertex{0});
@@ -108,6 +102,8 @@ std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   });
   return order;
 }
+
+namespace {
 
 // Swaps two vertices where that makes the orientation positive.
 std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh,
@@ -233,8 +229,6 @@ Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints poin
   choose_sample(certificate);
   return certificate;
 }
-
-// ---- Point location ----
 
 namespace {
 

@@ -19,7 +19,6 @@
 
 namespace circumspect::certificate {
 
-// ---- Lines ----
 // Writes lines of tokens, many of them.
 
 class Lines {
@@ -62,8 +61,6 @@ void write_point(Lines& lines, const ScaledPoints& points, Vertex v, bool weight
 // Numerators and denominator.
 void write_point(Lines& lines, const HomogeneousPoint& point);
 
-// ---- Certificate ----
-// ---- Face uses ----
 // Which cells share a face: facets of simplices, and ridges of hull facets.
 
 // One cell's use of a face: a tuple without memory of its own, of which there are millions.
@@ -94,8 +91,6 @@ void for_each_face(std::vector<FaceUse>& uses, const auto& visit) {
   }
 }
 
-// ---- Certificate ----
-
 // What lies across a facet or a ridge, and the place of its vertex that the facet or ridge leaves out.
 // A facet of the hull has a hull facet there, which leaves out no vertex.
 struct Across {
@@ -125,6 +120,9 @@ struct Incidence {
   std::optional<std::size_t> place = {};
 };
 
+// All points, by their coordinates and then by their numbers.
+std::vector<Vertex> lexicographic_order(const ScaledPoints& points);
+
 struct Certificate {
   Claim claim = Claim::kDelaunay;
   ScaledPoints points;
@@ -152,7 +150,6 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certific
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate);
 
-// ---- Point location ----
 // In which simplices of a triangulation do points lie? Book: Section 5.5 (walking).
 
 // For each of the points a simplex that contains it (kernel/boxes/point_search.hpp). Requires:

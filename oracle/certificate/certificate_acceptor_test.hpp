@@ -130,7 +130,6 @@ inline std::vector<Rational> unscaled(const Header& header, Point point, const R
   return point;
 }
 
-// ---- Certificate acceptor ----
 // The conditions on certificates, one by one.
 
 class CertificateAcceptor {

@@ -33,6 +33,32 @@ std::optional<Evidence> unused_point_evidence(const ExactMesh& mesh, const Verdi
   });
 }
 
+// Where the vertex is that hangs.
+std::optional<Evidence> hanging_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Witness witness) {
+  witness.point = mesh.points[witness.vertices.front()];
+  return overlap_evidence(mesh, points, Rule::kHangingVertex, witness);
+}
+
+// What refutes a mesh alone: some rules can be shown of simplices of full dimension only.
+bool may_be_shown(const ExactMesh& mesh, const Verdict& verdict, Rule rule) {
+  if (verdict.claim() != Claim::kComplex) return true;
+  switch (rule) {
+    case Rule::kUnknownVertex:
+    case Rule::kRepeatedVertex:
+    case Rule::kUnusedPoint:
+      return true;
+    case Rule::kDegenerateSimplex:
+    case Rule::kDuplicateSimplex:
+    case Rule::kOverlap:
+    case Rule::kHangingVertex:
+    case Rule::kFacesCross:
+      return mesh.simplices.front().size() == mesh.points.ambient_dimension() + 1;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdict,
@@ -47,6 +73,11 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       return simplex_evidence(mesh, points, rule);
     case Rule::kUnusedPoint:
       return unused_point_evidence(mesh, verdict, points);
+    case Rule::kHangingVertex:
+      return from_violations(verdict, rule, [&](const Witness& witness) {
+        return hanging_evidence(mesh, points, witness);
+      });
+    case Rule::kFacesCross:
     case Rule::kOverlap:
     case Rule::kCoveredTwice:
       return from_violations(verdict, rule, [&](const Witness& witness) {
@@ -72,6 +103,7 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
 std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points) {
   for (const auto& [rule, tally] : verdict.tallies()) {
+    if (!may_be_shown(mesh, verdict, rule)) continue;
     auto evidence = evidence_for(mesh, verdict, points, rule);
     if (evidence) {
       const std::vector<std::size_t>& basis = mesh.points.configuration().hull().basis;
@@ -121,15 +153,14 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
   write_because(lines, refutation);
 }
 
-// ---- Document ----
-
 namespace {
 
 // What certificates do not cover; empty if they cover this.
-std::string limit(const ExactMesh& mesh, Claim claim) {
-  if (is_about_a_domain(claim) || claim == Claim::kComplex) {
+std::string limit(const ExactMesh& mesh, Claim claim, bool holds) {
+  if (is_about_a_domain(claim) || (is_about_a_list(claim) && claim != Claim::kComplex)) {
     return fmt::format(
-        "expected triangulation, delaunay or weighted-delaunay for a certificate, found {}",
+        "expected complex, triangulation, delaunay or weighted-delaunay for a certificate, found "
+        "{}",
         name(claim));
   }
   const std::size_t dimension = mesh.points.ambient_dimension();
@@ -138,6 +169,7 @@ std::string limit(const ExactMesh& mesh, Claim claim) {
     return fmt::format("expected points of dimension 2 or 3 for a certificate, found dimension {}",
                        dimension);
   }
+  if (claim == Claim::kComplex && holds) return "";  // wherever the points are
   if (mesh.points.dimension() != static_cast<int>(dimension)) {
     return fmt::format(
         "expected points that span the {} for a certificate, found that all of them lie {}",
@@ -152,10 +184,13 @@ std::string limit(const ExactMesh& mesh, Claim claim) {
 }  // namespace
 
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
-  const std::string beyond = limit(mesh, verdict.claim());
+  const std::string beyond = limit(mesh, verdict.claim(), verdict.holds());
   if (!beyond.empty()) return tl::unexpected(beyond);
   auto points = scaled_to_integers(mesh.points);
   if (!points) return tl::unexpected(points.error());
+  if (verdict.holds() && verdict.claim() == Claim::kComplex) {
+    return complex_certificate_of(mesh, std::move(*points));
+  }
   if (verdict.holds()) {
     Certificate certificate = certificate_of(mesh, verdict.claim(), std::move(*points));
     certificate.standing = verdict.unique.value_or(false)      ? "unique"
@@ -164,20 +199,29 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
     return certificate;
   }
   auto refutation = refutation_of(mesh, verdict, *points);
-  if (!refutation) {
+  if (!refutation && verdict.claim() != Claim::kComplex) {
     // The witness that is needed may be one that the verdict had no room for.
     const Verdict with_all = check::judge_points(verdict.claim(), mesh, {.max_violations = 0});
     refutation = refutation_of(mesh, with_all, *points);
   }
   if (refutation) return RefutationWithPoints{std::move(*refutation), std::move(*points)};
+  const std::string_view broken = identifier(verdict.tallies().begin()->first);
+  if (verdict.claim() == Claim::kComplex) {
+    return tl::unexpected(fmt::format(
+        "there is no refutation of this mesh: of simplices of a lower dimension, or of another "
+        "than the first, none shows {}",
+        broken));
+  }
   return tl::unexpected(fmt::format(
       "expected a fault of the claim for a refutation, found only {}, which {} does not include",
-      identifier(verdict.tallies().begin()->first), name(verdict.claim())));
+      broken, name(verdict.claim())));
 }
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {
   if (const auto* certificate = std::get_if<Certificate>(&document)) {
     write(out, mesh, *certificate);
+  } else if (const auto* of_complex = std::get_if<ComplexCertificate>(&document)) {
+    write(out, mesh, *of_complex);
   } else {
     const auto& refuted = std::get<RefutationWithPoints>(document);
     write(out, mesh, refuted.points, refuted.refutation);

@@ -10,13 +10,13 @@
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/complex_certificate.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
 
-// ---- Refutation ----
 // What proves that a claim does not hold of a mesh: one fault, with the evidence by which it can be
 // seen. proofs/CERTIFICATE.md says which evidence each rule takes.
 
@@ -43,7 +43,6 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
                 const Refutation& refutation, std::string_view words = "");
 void write_because(Lines& lines, const Refutation& refutation);
 
-// ---- Document ----
 // A verdict with what proves it to somebody who trusts neither this program nor the one that made the
 // mesh.
 
@@ -52,11 +51,11 @@ struct RefutationWithPoints {
   ScaledPoints points;
 };
 
-using Document = std::variant<Certificate, RefutationWithPoints>;
+using Document = std::variant<Certificate, ComplexCertificate, RefutationWithPoints>;
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
-// people: other claims; points that span no plane or space, or have other dimensions; a verdict that
-// fails for nothing but rules that are no part of the claim.
+// people: other claims; points that span no plane or space (where the claim is not complex, or fails), or have other
+// dimensions; a verdict that fails for nothing but rules that are no part of the claim.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);

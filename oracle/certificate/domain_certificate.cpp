@@ -7,6 +7,8 @@
 #include "kernel/complex/simplex.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
+#include "oracle/judge/domain/polygon_tiling.hpp"
+#include "oracle/judge/domain/vertex_search.hpp"
 
 namespace circumspect::certificate {
 namespace {
@@ -55,7 +57,8 @@ void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCerti
   }
 }
 
-// The polygon's segments, those that its lines list, as chains of edges of its mesh. `seen`: the same vertices in the plane.
+// The polygon's segments, those that its lines list, as chains of edges of its mesh. `seen`: the
+// same vertices in the plane.
 template <class Seen>
 void add_rim(const PolygonPlace& in, const Polygon& given, const std::set<Simplex>& listed,
              const Seen& seen, PolygonCertificate& polygon, PartInput& part) {

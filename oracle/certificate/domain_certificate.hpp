@@ -147,7 +147,6 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledM
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const DomainCertificate& certificate);
 
-// ---- Domain refutation ----
 // What proves that a claim about a domain does not hold of a mesh: the mesh, the vertices and segments of
 // the domain, and one fault.
 
@@ -204,7 +203,6 @@ std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain&
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
 
-// ---- Impossibility ----
 // What proves that a domain in space has no triangulation, or no CDT: of each set of four vertices why it is no simplex of
 // one, and clauses that hold of every triangulation and that nothing satisfies. Book: Section 4.5.
 

@@ -136,7 +136,7 @@ class Finder {
         weights.push_back(answer.solution[i] - answer.solution[i + simplex.size()]);
       }
       const Integer whole = common_denominator(weights);
-      const auto weight = [&](std::size_t i) { return Rational(weights[i] * whole).get_num(); };
+      const auto weight = [&](std::size_t i) { return numerator_over(whole, weights[i]); };
       Evidence evidence{Rule::kNoEmptyBall, {to_integer(*number), to_integer(simplex.size())}};
       for (std::size_t i = 0; i < simplex.size(); ++i) {
         evidence.because.push_back(weight(others.size() + i));

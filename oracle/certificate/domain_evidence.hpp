@@ -1,4 +1,5 @@
-// What shows that a mesh breaks a claim about a domain, in the mesh and the domain's vertices and segments alone.
+// What shows that a mesh breaks a claim about a domain, in the mesh and the domain's vertices and
+// segments alone.
 #pragma once
 
 #include <optional>
@@ -12,8 +13,9 @@
 
 namespace circumspect::certificate {
 
-// Evidence of the first broken rule that has some; nothing if none has. `all` are the simplices of the mesh, then what
-// dangles; `vertices`: which of the points each vertex of the domain is. Requires: the verdict does not hold.
+// Evidence of the first broken rule that has some; nothing if none has. `all` are the simplices of
+// the mesh, then what dangles; `vertices`: which of the points each vertex of the domain is.
+// Requires: the verdict does not hold.
 std::optional<Evidence> domain_evidence(const ExactMesh& mesh, const ExactMesh& all,
                                         const Domain& domain, const Verdict& verdict,
                                         const ScaledPoints& points,

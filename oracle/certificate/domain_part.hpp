@@ -36,8 +36,6 @@ std::vector<std::pair<Integer, Vertex>> combination(const ScaledPoints& points,
 // None: it is in a kept one or beyond all of them, and makes no hole.
 std::optional<std::uint32_t> simplex_around(const PartInput& input, const HomogeneousPoint& seed);
 
-// ---- Polygons ----
-
 // Where the polygons of a complex lie.
 struct PolygonPlace {
   const PiecewiseLinearComplex& complex;

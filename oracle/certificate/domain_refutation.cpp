@@ -38,8 +38,9 @@ std::vector<Simplex> dangling_faces(const ExactMesh& mesh) {
   return {listed.begin(), listed.end()};
 }
 
-// Points that make the face a simplex of full dimension, which does not contain `without` if the face does not: steps along
-// the axes from its first vertex, in one direction or the other. Nothing if the face is degenerate.
+// Points that make the face a simplex of full dimension, which does not contain `without` if the
+// face does not: steps along the axes from its first vertex, in one direction or the other. Nothing
+// if the face is degenerate.
 std::optional<std::vector<std::vector<Integer>>> pads_of(
     const Simplex& face, const ScaledPoints& points,
     const std::optional<HomogeneousPoint>& without) {
@@ -109,7 +110,8 @@ tl::unexpected<std::string> none_because(std::string_view reason) {
   return tl::unexpected(fmt::format("there is no refutation of this mesh: {}", reason));
 }
 
-// The points of the mesh and those vertices of the domain that are none of them, over one scale: which point each vertex is.
+// The points of the mesh, and the vertices of the domain that are not among them, over one scale;
+// `vertices` says which point each vertex is.
 struct PointsOfBoth {
   ScaledPoints points;
   std::vector<Vertex> vertices;
@@ -131,8 +133,8 @@ tl::expected<PointsOfBoth, std::string> points_of_both(const PointSet& of_mesh,
   return PointsOfBoth{std::move(*points), std::move(vertices)};
 }
 
-// Finds evidence, and puts it into `made`. What comes back is the point that must be in no simplex, if there is one.
-// `all` are the simplices of the mesh, then what dangles.
+// Finds evidence, and puts it into `made`. What comes back is the point that must be in no simplex,
+// if there is one. `all` are the simplices of the mesh, then what dangles.
 tl::expected<std::optional<HomogeneousPoint>, std::string> add_evidence(
     const ExactMesh& mesh, const ExactMesh& all, const Domain& domain, const ListedSegments& listed,
     const Verdict& verdict, const HullFillers& fillers, DomainRefutation& made) {

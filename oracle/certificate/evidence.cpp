@@ -103,8 +103,6 @@ std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoin
   return Evidence{rule, std::move(*because)};
 }
 
-// ---- Overlap evidence ----
-
 std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                          Rule rule, const Witness& witness) {
   if (!witness.point || witness.simplices.size() != 2) return std::nullopt;
@@ -126,7 +124,6 @@ std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoin
   return evidence;
 }
 
-// ---- Hull evidence ----
 // Faults of the boundary: the simplices of the facets in question are looked up.
 
 namespace {
@@ -177,7 +174,6 @@ std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const Sc
   return evidence;
 }
 
-// ---- Ball evidence ----
 // The witnesses of the checkers, in the numbers of a refutation.
 
 namespace {

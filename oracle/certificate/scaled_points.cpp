@@ -12,11 +12,8 @@ Integer least_common_denominator(const PointSet& points, double most_bits) {
   Integer scale = 1;
   const auto numbers = static_cast<double>(points.size() * points.ambient_dimension());
   for (const Point& point : points.points()) {
-    for (const Rational& x : point) {
-      if (scale % x.get_den() == 0) continue;
-      scale = least_common_multiple(scale, x.get_den());
-      if (static_cast<double>(bit_length(scale)) * numbers > most_bits) return 0;
-    }
+    scale = common_denominator(point, scale);
+    if (static_cast<double>(bit_length(scale)) * numbers > most_bits) return 0;
   }
   return scale;
 }
@@ -27,7 +24,7 @@ void scale_coordinates(const PointSet& points, const Integer& denominator, Scale
   Integer common = 0;
   for (const Point& point : points.points()) {
     for (const Rational& x : point) {
-      scaled.coordinates.push_back(x.get_num() * exact_quotient(denominator, x.get_den()));
+      scaled.coordinates.push_back(numerator_over(denominator, x));
       if (common != 1) common = gcd(common, scaled.coordinates.back());
     }
   }
@@ -55,18 +52,16 @@ Integer root_of_square_multiple(Integer n) {
 // Makes the scale so fine that the weights are integers over its square too.
 void scale_weights(const PointSet& points, ScaledPoints& scaled) {
   const Rational scale = Rational(scaled.scale_numerator) / scaled.scale_denominator;
-  Integer denominators = 1;
   std::vector<Rational> weights;
   for (Vertex v = 0; points.names(v); ++v) {
     weights.push_back(points.weight(v) / (scale * scale));
-    denominators = least_common_multiple(denominators, weights.back().get_den());
   }
-  const Integer finer = root_of_square_multiple(denominators);
+  const Integer finer = root_of_square_multiple(common_denominator(weights));
   if (finer != 1) {
     for (Integer& x : scaled.coordinates) x *= finer;
   }
   for (const Rational& weight : weights) {
-    scaled.weights.push_back(weight.get_num() * exact_quotient(finer * finer, weight.get_den()));
+    scaled.weights.push_back(numerator_over(finer * finer, weight));
   }
   const Rational finest = scale / finer;
   scaled.scale_numerator = finest.get_num();
@@ -101,15 +96,7 @@ HomogeneousPoint in_lowest_terms(HomogeneousPoint point) {
 
 HomogeneousPoint scaled(const ScaledPoints& points, const Point& point) {
   const Rational factor = Rational(points.scale_denominator) / points.scale_numerator;
-  const Point among_integers = factor * point;
-  HomogeneousPoint result;
-  for (const Rational& x : among_integers) {
-    result.denominator = least_common_multiple(result.denominator, x.get_den());
-  }
-  for (const Rational& x : among_integers) {
-    result.numerators.push_back(x.get_num() * exact_quotient(result.denominator, x.get_den()));
-  }
-  return result;
+  return homogeneous(factor * point);
 }
 
 ScaledPoints in_scale_of(const ScaledPoints& points, const PointSet& those) {
@@ -131,8 +118,6 @@ HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices)
   }
   return in_lowest_terms(std::move(sum));
 }
-
-// ---- Sidedness ----
 
 int Sidedness::sign_of_determinant() {
   const auto& [a, b, c] = rows_;
@@ -193,14 +178,6 @@ std::optional<std::size_t> Sidedness::separating_place(std::span<const Vertex> s
     if (orientation_with(simplex, place, q) * own < 0) return place;
   }
   return std::nullopt;
-}
-
-// ---- Separators ----
-
-Integer common_denominator(const Point& point) {
-  Integer common = 1;
-  for (const Rational& x : point) common = lcm(common, x.get_den());
-  return common;
 }
 
 Point perpendicular(const Point& u, const Point& v) {
@@ -273,11 +250,9 @@ std::optional<Separators> separators(const std::vector<std::vector<Point>>& part
   return made;
 }
 
-// ---- Points ----
-
 HomogeneousPoint homogeneous(const Point& point) {
   HomogeneousPoint q{{}, common_denominator(point)};
-  for (const Rational& x : point) q.numerators.push_back(Rational(x * q.denominator).get_num());
+  for (const Rational& x : point) q.numerators.push_back(numerator_over(q.denominator, x));
   return q;
 }
 

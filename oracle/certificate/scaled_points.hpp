@@ -14,7 +14,6 @@
 
 namespace circumspect::certificate {
 
-// ---- Scaled points ----
 // Points as integers over one scale, as small as they can be: what a certificate lists.
 
 // Ten gigabytes of digits make no file that anyone would keep.
@@ -58,7 +57,6 @@ ScaledPoints in_scale_of(const ScaledPoints& points, const PointSet& those);
 // The barycentre of some of the points. Requires: vertices is not empty.
 HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices);
 
-// ---- Sidedness ----
 // On which side of the facets of simplices a point lies: the sign that most of a certificate is
 // about. Book: Section 3.1 (Orient2D, Orient3D).
 
@@ -90,8 +88,6 @@ class Sidedness {
   Integer determinant_;
 };
 
-// ---- Points ----
-
 // A point with rational coordinates as integers over one denominator, and back; and as it stands in a file.
 HomogeneousPoint homogeneous(const Point& point);
 Point ordinary(const HomogeneousPoint& point);
@@ -111,11 +107,8 @@ std::string balance(const std::vector<Point>& triangle, const Point& point);
 std::optional<std::string> way_through(const std::vector<std::vector<Point>>& triangles,
                                        const Point& from, const Point& to);
 
-// ---- Separators ----
 // Planes, in the plane lines, that part a way from convex sets.
 
-// The least common multiple of the denominators.
-Integer common_denominator(const Point& point);
 // What of u is perpendicular to v, times a positive number; u itself if v is 0.
 Point perpendicular(const Point& u, const Point& v);
 

@@ -5,8 +5,6 @@
 
 namespace circumspect::certificate {
 
-// ---- Scaled points ----
-
 namespace {
 
 using Integers = std::vector<Integer>;
@@ -78,8 +76,6 @@ TEST_CASE("points among the integers are in lowest terms") {
   CHECK(moved.numerators == Integers{1, 3});
   CHECK(moved.denominator == 6);
 }
-
-// ---- Sidedness ----
 
 TEST_CASE("orientations in the plane, with a rational point in each place") {
   const auto points = *scaled_to_integers(PointSet({{0, 0}, {4, 0}, {0, 4}, {7, 1}}));

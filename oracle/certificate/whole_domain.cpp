@@ -112,8 +112,6 @@ class WholeSearch {
   }
   bool is_enclosed() const { return domain_.complex.kind == DomainKind::kEnclosed; }
 
-  // ---- Balls ----
-
   std::optional<WholeEvidence> facet_not_local() const {
     if (something_dangles()) return std::nullopt;
     for (const Violation& violation : verdict_.violations()) {
@@ -195,7 +193,6 @@ class WholeSearch {
     }
     return std::nullopt;
   }
-  // ---- Hulls ----
 
   // What is wrong with the boundary of a mesh that is to fill a hull, as of points.
   std::optional<WholeEvidence> of_hull(Rule rule) const {
@@ -205,16 +202,12 @@ class WholeSearch {
     return WholeEvidence{rule, std::string(identifier(rule)), words_of(*found)};
   }
 
-  // ---- Ways ----
-
   std::optional<Separators> separators(const Point& a, const Point& b, bool with_end) const {
     return certificate::separators(corners_, a, b, with_end);
   }
   static std::string leg(const Point& end, const Separators& planes) {
     return fmt::format("{} {}{}", text_of(end), planes.count, planes.words);
   }
-
-  // ---- Points of cells ----
 
   std::string named(const Part& part, const Point& point) const {
     const std::string kind = part.corners.size() == 3 ? "piece " : "";
@@ -318,8 +311,6 @@ class WholeSearch {
              !intersection(part.corners, {point}).empty();
     });
   }
-
-  // ---- Outside ----
 
   // Those of the witnesses, and the first of all.
   std::vector<std::size_t> suspects(Rule rule) const {

@@ -100,8 +100,6 @@ void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certific
   lines.end_line();
 }
 
-// ---- Write domain ----
-
 namespace {
 
 // By the vertices, their numbers in the certificate.
@@ -271,8 +269,6 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
   lines << "end";
   lines.end_line();
 }
-
-// ---- Write impossibility ----
 
 namespace {
 

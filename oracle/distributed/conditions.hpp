@@ -56,8 +56,6 @@ std::uint64_t hash_of(const std::array<std::int64_t, kSize>& indices) {
   return fast::mixed_vertex(hash);
 }
 
-// ---- Facets ----
-
 // What is across the facets of this rank's simplices, and what is wrong there.
 struct FacetFindings {
   std::vector<FacetNames> overused = {};     // of three and more simplices
@@ -185,10 +183,12 @@ class FacetMeeting {
     const Item& a = items[group.front()];
     if (group.size() == 1) return tell(a, {});
     const Item& b = items[group.back()];
-    if (group.size() > 2) {
+    const auto fault =
+        conditions::at_facet(group.size(), [&] { return a.is_positive() == b.is_positive(); });
+    if (fault == conditions::AtFacet::kOverused) {
       FacetNames& names = found_.overused.emplace_back();
       for (const std::uint32_t i : group) names.push_back(items[i].name());
-    } else if (a.is_positive() == b.is_positive()) {
+    } else if (fault == conditions::AtFacet::kSameSide) {
       found_.same_side.push_back({a.name(), b.name()});
     } else if (balls_.asked) {
       // Either side may ask, so each takes half of the work.
@@ -231,8 +231,6 @@ class FacetMeeting {
   const BallQuestions& balls_;
   FacetFindings found_;
 };
-
-// ---- Ridges ----
 
 // As fast::FaultyRidge.
 template <std::size_t kDimension>
@@ -290,8 +288,6 @@ std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
   return faulty;
 }
 
-// ---- Sample point ----
-
 // This rank's boundary facets that do not have the sample point strictly on their inner sides.
 template <std::size_t kDimension>
 FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
@@ -303,12 +299,11 @@ FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
     const std::size_t s = facet / (kDimension + 1), place = facet % (kDimension + 1);
     const int side =
         fast::orientation_with(mesh.sites(s), place, sample, stages) * orientations.of(s);
-    if (side <= 0) names.push_back({static_cast<std::int32_t>(ranks.rank()), facet});
+    if (!conditions::is_strictly_inside(side))
+      names.push_back({static_cast<std::int32_t>(ranks.rank()), facet});
   }
   return names;
 }
-
-// ---- Simplices and points listed twice ----
 
 // Simplices that have the same vertices as another, whether these are points or not, group by
 // group. Called by all ranks.

@@ -150,7 +150,6 @@ void LocalMesh<kDimension>::number_points(const PointNumbers& numbers) {
   });
 }
 
-// ---- Dealing by place ----
 // Along Morton's curve of first vertices. Any dealing is right; no sign depends on where it cuts.
 
 template <std::size_t kDimension>

@@ -20,8 +20,6 @@
 
 namespace circumspect::distributed {
 
-// ---- Dealt ----
-
 // Rows of indices: in memory, or in a file that is read in batches, each time they are asked for.
 class ListedRows {
  public:
@@ -74,8 +72,6 @@ struct Dealt {
   std::pmr::vector<std::uint64_t> places = {};  // in the whole list; empty: they are consecutive
   Vertex first_index = 0;                       // the user's index of the first point
 };
-
-// ---- Local mesh ----
 
 // A facet of a simplex of some rank: simplex · (d + 1) + place of the vertex opposite, as that rank
 // counts.

@@ -19,7 +19,6 @@
 
 namespace circumspect::distributed {
 
-// ---- Communicator ----
 // Transfers bytes between ranks: by MPI (mpi.hpp), or within one process (turns.hpp). All ranks
 // together call every member but rank(), size() and room(), in the same order.
 
@@ -48,7 +47,6 @@ class Communicator {
                         const std::vector<std::uint64_t>& from_counts) = 0;
 };
 
-// ---- Course ----
 // The cost of a phase of the work on one rank.
 
 struct Phase {
@@ -59,7 +57,6 @@ struct Phase {
   std::uint64_t memory = 0;      // the most bytes that the process had until its end
 };
 
-// ---- Ranks ----
 // All ranks together call every member, in the same order, except rank(), size(), is_first() and
 // those that say how much is sent at a time.
 
@@ -207,8 +204,6 @@ class Ranks {
   Phase now_;
   std::vector<Phase> phases_;
 };
-
-// ---- Meeting ----
 
 // The items of the list that are the same, group by group. `hash` and `same` are about items;
 // visit(group) gets their places in the list, in no particular order.

@@ -202,8 +202,6 @@ formats::Status check_names(const Files& files) {
   return {};
 }
 
-// ---- Parts ----
-
 // The name of the file of a part.
 std::string of_part(const std::string& pattern, std::size_t part) {
   const std::size_t place = pattern.find("%d");

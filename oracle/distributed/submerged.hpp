@@ -19,8 +19,6 @@
 
 namespace circumspect::distributed {
 
-// ---- Points in boxes ----
-
 // Points, and a search for those in a box: the points are halved along one axis after the other.
 template <std::size_t kDimension>
 class PointTree {
@@ -78,8 +76,6 @@ class PointTree {
 
   std::vector<Numbered> points_;
 };
-
-// ---- Submerged points ----
 
 // A point that is in no simplex, or below the witness plane of the first simplex that contains it.
 template <std::size_t kDimension>

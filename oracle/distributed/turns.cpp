@@ -21,8 +21,6 @@
 namespace circumspect::distributed {
 namespace {
 
-// ---- Memory in files ----
-
 constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
 thread_local std::size_t own_part = kNoPart;
 
@@ -110,8 +108,6 @@ class AsDefault {
  private:
   std::pmr::memory_resource* before_;
 };
-
-// ---- Parts ----
 
 // Thrown in parts that wait for one that has failed.
 struct AnotherHasFailed {};

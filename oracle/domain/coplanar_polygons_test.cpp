@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
@@ -13,7 +14,6 @@
 
 namespace circumspect {
 
-// ---- Cell index ----
 // Cells that may meet apart from their vertices: all of them are found, and little is looked at.
 
 namespace {
@@ -103,7 +103,6 @@ TEST_CASE("apart: of cells to both sides of a plane that they touch no pair is l
   CHECK(index.work() < 100 * segments.size());  // of 3,000 × 3,000
 }
 
-// ---- Coplanar polygons ----
 // Polygons of one plane as one.
 
 // Each polygon of one line cut into triangles that fan out from its first corner.

@@ -1,21 +1,9 @@
 #include "oracle/formats/domain_file.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <map>
 #include <set>
-
-#include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/bytes/source.hpp"
-#include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/foreign_file.hpp"
-#include "oracle/formats/mesh_files.hpp"
-#include "oracle/formats/mesh_formats.hpp"
-#include "oracle/formats/plane.hpp"
-#include "oracle/formats/ply.hpp"
-#include "oracle/formats/surface_formats.hpp"
-#include "oracle/formats/tetgen.hpp"
-#include "oracle/formats/vtk.hpp"
 
 namespace circumspect::formats {
 
@@ -74,7 +62,7 @@ Status take_points(DomainFile& file, PointFile points, std::size_t line) {
   }
   file.dimension = points.dimension;
   file.first_index = points.first_index;
-  file.input.points = std::move(points.points);
+  file.input.points = points.points.points();
   return {};
 }
 
@@ -189,149 +177,6 @@ Status add_faces(DomainFile& file, const SimplexFile& faces) {
     }
   }
   return {};
-}
-
-// ---- Domain files ----
-
-namespace {
-
-// The points of x.1.poly may be in x.1.node.
-PointsElsewhere points_beside(const Source& source, NumberReading reading, std::string& name) {
-  return [&source, reading, &name]() -> Result<PointFile> {
-    const std::string& poly = source.name;
-    name = poly.substr(0, poly.size() - extension(poly).size()) + ".node";
-    if (!exists(name)) {
-      return tl::unexpected(FormatError{name, 0, "a file with the points of " + poly,
-                                        "no file of that name, and no points in " + poly});
-    }
-    const Result<Source> points = load(name);
-    if (!points) return tl::unexpected(points.error());
-    return explained(read_node(*points, reading), *points);
-  };
-}
-
-using Reader = Result<DomainFile> (*)(const Source&, NumberReading, const PointsElsewhere&);
-
-Result<DomainFile> with_points(Reader read, const Source& source, NumberReading reading) {
-  std::string points_name;
-  Result<DomainFile> file = read(source, reading, points_beside(source, reading, points_name));
-  if (file) file->points_name = std::move(points_name);
-  return file;
-}
-
-Result<DomainFile> domain_of_poly(const Source& source, NumberReading reading) {
-  return with_points(read_poly, source, reading);
-}
-
-Result<DomainFile> domain_of_smesh(const Source& source, NumberReading reading) {
-  return with_points(read_smesh, source, reading);
-}
-
-Result<DomainFile> domain_of_off(const Source& source, NumberReading reading) {
-  Result<OffFile> off = read_off(source, reading);
-  if (!off) return tl::unexpected(off.error());
-  DomainFile file;
-  file.name = source.name;
-  Status status = take_points(file, std::move(off->points), 0);
-  if (status) status = add_faces(file, off->faces);
-  if (!status) return tl::unexpected(status.error());
-  return file;
-}
-
-// If edges are listed, they are the domain, and triangles are cells of its mesh.
-template <Result<ElementFile> (*read)(const Source&, NumberReading)>
-Result<DomainFile> domain_of_elements(const Source& source, NumberReading reading) {
-  const Result<ElementFile> file = read(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  Result<DomainFile> domain = domain_of(*file, source.name);
-  if (!domain || !is_of_plane(*file)) return domain;
-  DomainFile taken = taken_for_plane(std::move(*domain));
-  if (!taken.flat || file->edges.simplices.empty()) return taken;
-  ElementFile plane = *file;
-  for (Point& point : plane.points.points) point.pop_back();
-  plane.points.dimension = 2;
-  domain = domain_of(plane, source.name);
-  if (!domain) return domain;
-  domain->notes.push_back(taken.notes.back());
-  domain->flat = std::move(taken.flat);
-  return domain;
-}
-
-template <Result<DomainFile> (*read)(const Source&, NumberReading)>
-Result<DomainFile> plane_or_space(const Source& source, NumberReading reading) {
-  Result<DomainFile> file = read(source, reading);
-  return file ? taken_for_plane(std::move(*file)) : std::move(file);
-}
-
-struct DomainFormat {
-  std::string_view extension;
-  Result<DomainFile> (*read)(const Source&, NumberReading);
-};
-
-constexpr std::array kDomainFormats = {
-    DomainFormat{".poly", plane_or_space<domain_of_poly>},
-    DomainFormat{".smesh", plane_or_space<domain_of_smesh>},
-    DomainFormat{".off", plane_or_space<domain_of_off>},
-    DomainFormat{".stl", plane_or_space<read_stl>},
-    DomainFormat{".ply", plane_or_space<read_ply>},
-    DomainFormat{".obj", domain_of_elements<read_obj>},
-    DomainFormat{".mesh", domain_of_elements<read_medit>},
-    DomainFormat{".msh", domain_of_elements<read_gmsh>},
-    DomainFormat{".vtk", domain_of_elements<read_vtk>},
-    DomainFormat{".vtu", domain_of_elements<read_vtu>},
-    DomainFormat{".vtp", domain_of_elements<read_vtu>},
-};
-
-const DomainFormat* domain_format_of(std::string_view extension) {
-  const auto* const found = std::find_if(
-      kDomainFormats.begin(), kDomainFormats.end(),
-      [extension](const DomainFormat& format) { return format.extension == extension; });
-  return found == kDomainFormats.end() ? nullptr : found;
-}
-
-// The format of a file whose name does not tell; null if its content does not tell, either.
-const DomainFormat* sniff(const Source& source) {
-  if (is_vtk(source.text)) return domain_format_of(".vtk");
-  if (is_vtu(source.text)) return domain_format_of(".vtu");
-  Lines lines(source);
-  if (!lines.next()) return nullptr;
-  const std::string_view first = lines.tokens()[0];
-  if (is_off_keyword(first)) return domain_format_of(".off");
-  if (is_medit_keyword(first)) return domain_format_of(".mesh");
-  if (is_gmsh_keyword(first)) return domain_format_of(".msh");
-  if (first == "ply") return domain_format_of(".ply");
-  if (is_obj_keyword(first)) return domain_format_of(".obj");
-  return first == "solid" ? domain_format_of(".stl") : nullptr;
-}
-
-}  // namespace
-
-bool is_domain_file(const std::string& path) {
-  const std::string end = extension(path);
-  if (end == ".ply") {  // unless it is a cloud of points
-    const Result<Source> source = load(path);
-    if (!source) return true;
-    const Result<PlyFile> file = read_ply_file(*source, NumberReading::kDouble);
-    return !file || !file->faces.simplices.empty();
-  }
-  return end != ".off" && domain_format_of(end) != nullptr;
-}
-
-Result<DomainFile> read_domain(const std::string& path, NumberReading reading) {
-  const Result<Source> source = load(path);
-  if (!source) return tl::unexpected(source.error());
-  const std::string end = extension(path);
-  const DomainFormat* format = domain_format_of(end);
-  const std::optional<std::string> other = other_kind(end);
-  if (format == nullptr && !other) format = sniff(*source);
-  if (format != nullptr) return explained(format->read(*source, reading), *source);
-  std::string kinds;
-  for (const DomainFormat& one : kDomainFormats) {
-    kinds += (kinds.empty() ? "" : ", ") + std::string(one.extension);
-  }
-  const FormatError error{source->name, 0, "a domain (" + kinds + ")",
-                          other.value_or(kind_of_mesh(end).value_or("another format"))};
-  return tl::unexpected(other ? error : explained(error, *source));
 }
 
 }  // namespace circumspect::formats

@@ -1,4 +1,5 @@
-// Files of domains: their content in any format, and how they are found and read.
+// The content of a domain file in any format: a piecewise linear complex as it was given, and the
+// line of each of its parts.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +14,6 @@
 #include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
-
-// ---- Domain file ----
-// The content of a domain file in any format: a piecewise linear complex as it was given, and the
-// line of each of its parts.
 
 struct DomainFile {
   std::size_t dimension = 0;   // 2 or 3, of every point
@@ -66,18 +63,5 @@ DomainFile with_duplicates_merged(DomainFile file);
 // Adds the faces of a surface: in space they are polygons, in the plane their edges are segments,
 // each once, and they are faces. Vertices are the indices of the file.
 Status add_faces(DomainFile& file, const SimplexFile& faces);
-
-// ---- Domain files ----
-// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in
-// two, as users of Triangle and TetGen keep it.
-
-// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh,
-// .msh, .vtk, .vtu, .vtp; a file with another name is recognised by its content. "-" is standard
-// input.
-Result<DomainFile> read_domain(const std::string& path, NumberReading reading);
-
-// Does the name of this file say that it is a domain? (.off may also be a list of points, and so
-// may a .ply without faces; the latter is read to find out.)
-bool is_domain_file(const std::string& path);
 
 }  // namespace circumspect::formats

@@ -5,9 +5,12 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_file.hpp"
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/element_domain.hpp"
+#include "oracle/formats/medit.hpp"
+#include "oracle/formats/obj.hpp"
+#include "oracle/formats/poly.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtk.hpp"
 

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
@@ -56,9 +57,9 @@ struct ElementFile {
 // Adds an element. `name`: "a hexahedron", for the message if it cannot be judged. If it has too
 // few vertices for its shape, returns what was expected: "a triangle of 3 vertices or more".
 // `label`: the group that the file gives it, if the file does so for all elements.
-std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
-                                       std::string_view name, std::size_t line,
-                                       std::optional<Vertex> label = {});
+std::optional<std::string> add_element(ElementFile& file, ElementShape shape,
+                                       std::span<const Vertex> vertices, std::string_view name,
+                                       std::size_t line, std::optional<Vertex> label = {});
 
 // Computes what follows from the simplices, once all have been added.
 void finish_elements(ElementFile& file);
@@ -79,10 +80,5 @@ bool is_of_plane(const ElementFile& file);
 // The visible surface of the elements: the triangles, and the facets of only one tetrahedron, with
 // their vertices counterclockwise seen from outside if the tetrahedra are positively oriented.
 std::vector<Simplex> surface_of(const ElementFile& file);
-
-// The surface as a domain: edges are segments; triangles and polygons are polygons in space, and in
-// the plane their edges are segments if no edges are listed. Vertices that belong only to cells are
-// left out: they belong to the mesh, not to its domain. Errors: curved elements; nothing but cells.
-Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name);
 
 }  // namespace circumspect::formats

@@ -1,5 +1,4 @@
 // Elements of all dimensions: what Medit, Gmsh and others write, and .tet.
-#include "oracle/formats/element_formats.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -7,8 +6,11 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "oracle/formats/element_domain.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/obj.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/surface_formats.hpp"
+#include "oracle/formats/tet.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -26,7 +28,7 @@ const WrittenMesh kTwoTetrahedra = {
 
 // Vertices counted from 0.
 std::vector<Simplex> from_zero(const SimplexFile& list, Vertex first_index) {
-  std::vector<Simplex> simplices = list.simplices;
+  std::vector<Simplex> simplices = list.simplices.lists();
   for (Simplex& simplex : simplices) {
     for (Vertex& v : simplex) v -= first_index;
   }
@@ -114,22 +116,22 @@ TEST_CASE("no form ends early: every text that is cut off is refused") {
 
 TEST_CASE("what surfaces and cells of other shapes become") {
   ElementFile file;
-  CHECK(!add_element(file, ElementShape::kPolyline, {0, 1, 2}, "a polyline", 1));
+  CHECK(!add_element(file, ElementShape::kPolyline, Simplex{0, 1, 2}, "a polyline", 1));
   CHECK(file.edges.simplices == std::vector<Simplex>{{0, 1}, {1, 2}});
-  CHECK(!add_element(file, ElementShape::kStrip, {0, 1, 2, 3, 4}, "a strip", 2));
+  CHECK(!add_element(file, ElementShape::kStrip, Simplex{0, 1, 2, 3, 4}, "a strip", 2));
   CHECK(file.triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}});
   CHECK(check_simplices(file, "f"));
-  CHECK(!add_element(file, ElementShape::kPixel, {0, 1, 2, 3}, "a pixel", 3));
+  CHECK(!add_element(file, ElementShape::kPixel, Simplex{0, 1, 2, 3}, "a pixel", 3));
   CHECK(file.polygons.simplices == std::vector<Simplex>{{0, 1, 3, 2}});
   CHECK(check_simplices(file, "f").error().to_string() ==
         "f:3: expected edges, triangles and tetrahedra, found a pixel");
-  CHECK(add_element(file, ElementShape::kPolygon, {0, 1}, "a polygon", 4) ==
+  CHECK(add_element(file, ElementShape::kPolygon, Simplex{0, 1}, "a polygon", 4) ==
         "a polygon of 3 vertices or more");
-  CHECK(!add_element(file, ElementShape::kCurved, {0, 1, 2}, "an edge of second order", 5));
+  CHECK(!add_element(file, ElementShape::kCurved, Simplex{0, 1, 2}, "an edge of second order", 5));
   CHECK(check_simplices(file, "f").error().to_string() ==
         "f:5: expected edges, triangles and tetrahedra, found an edge of second order");
   file.points.dimension = 3;
-  file.points.points.assign(5, {0, 0, 0});
+  file.points.points = std::vector<Point>(5, {0, 0, 0});
   CHECK(domain_of(file, "f").error().to_string() ==
         "f:5: expected elements of first order, found an edge of second order");
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
+#include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/mesh_formats.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/other_kinds.hpp"
+#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -43,18 +45,6 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // The first line of Fluent's has an index of a section in parentheses, "(0 "made by …")".
 bool is_fluent(std::string_view first) {
   return first.size() > 1 && first[0] == '(' && is_digit(first[1]);
-}
-
-// The first line that is not a comment is a keyword, "*Node". Comments begin with two asterisks.
-bool is_abaqus(const Source& beginning) {
-  Lines lines(beginning);
-  while (lines.next()) {
-    const std::string_view first = lines.tokens()[0];
-    if (first.starts_with("**")) continue;
-    return first.size() > 1 && first[0] == '*' &&
-           std::isalpha(static_cast<unsigned char>(first[1])) != 0;
-  }
-  return false;
 }
 
 // Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first
@@ -105,7 +95,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   // VTK's XML files are read, but not under the extension of another format, such as that of VTK's
   // legacy format.
   if (is_vtu(source.text)) {
-    if (format_of(end) == nullptr || end == ".vtu" || end == ".vtp") return std::nullopt;
+    const Format* const format = format_of(end);
+    if (format == nullptr || format->elements == read_vtu) return std::nullopt;
     return "XML (if it is a mesh of VTK, give its name the extension .vtu)";
   }
   const Source beginning{source.name, source.text.substr(0, kLongestBeginning)};
@@ -114,8 +105,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   if (is_fluent(lines.tokens()[0])) {
     return "a mesh of Fluent (" + read_by_meshio("IN" + end, "ansys") + ")";
   }
-  if (is_abaqus(beginning)) {
-    return "a mesh of Abaqus (" + read_by_meshio("IN" + end, "abaqus") + ")";
+  if (is_abaqus(Beginning(beginning)) && end != ".inp" && format_of(end) != nullptr) {
+    return "a mesh of Abaqus (give its name the ending .inp)";
   }
   if (is_gid(lines.tokens())) {
     return "a mesh of GiD (copy its coordinates to IN.node and its elements to IN.ele, each below "

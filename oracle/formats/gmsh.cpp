@@ -1,12 +1,15 @@
+#include "oracle/formats/gmsh.hpp"
+
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
-#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/gmsh_types.hpp"
+#include "oracle/formats/node_tags.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -26,7 +29,7 @@ class GmshReader {
   Status read_nodes_2();
   Status read_nodes_4();
   Status read_node_block(std::size_t& read);
-  Status read_coordinates(std::size_t more, const std::string& one);
+  Status read_coordinates(std::size_t more, const Item& item);
   Status read_elements_2();
   Status read_elements_4();
   Status read_element_block(std::size_t& read);
@@ -38,7 +41,6 @@ class GmshReader {
   void go_to_numbers() {
     if (text_.is_binary()) text_.rest_of_line();
   }
-  Status count_from_lowest_tag();
   // The rest of a line that is in no section. Requires: `first_word` has just been read.
   void skip_line(std::string_view first_word);
 
@@ -48,6 +50,7 @@ class GmshReader {
   bool has_elements_ = false;
   bool has_skipped_line_ = false;
   ElementFile file_;
+  Simplex vertices_;                                    // of one element
   std::vector<Vertex> tags_;                            // of the points
   std::map<std::pair<Vertex, Vertex>, Vertex> groups_;  // the first physical group of an entity
 };
@@ -86,19 +89,15 @@ Status GmshReader::read_header() {
   return expect_word("$EndMeshFormat");
 }
 
-Status GmshReader::read_coordinates(std::size_t more, const std::string& one) {
-  Point point;
-  while (point.size() < 3) {
-    Result<Rational> number = text_.number(kFloat64, "a coordinate of " + one);
-    if (!number) return tl::unexpected(number.error());
-    point.push_back(std::move(*number));
-  }
-  file_.points.points.push_back(std::move(point));
-  return text_.skip_numbers(kFloat64, more, "a parameter of " + one);
+Item one_of_all(std::string_view what, std::string_view noun, std::size_t done, std::size_t count) {
+  return {what, noun, done, count};
 }
 
-std::string one_of_all(const std::string& noun, std::size_t done, std::size_t count) {
-  return noun + " " + std::to_string(done + 1) + " of " + std::to_string(count);
+// Of one point; then its parameters, which are skipped.
+Status GmshReader::read_coordinates(std::size_t more, const Item& item) {
+  Status status = text_.points(kFloat64, 1, item, file_.points.points);
+  if (!status || more == 0) return status;
+  return text_.skip_numbers(kFloat64, more, {"a parameter of ", item.noun, item.place, item.count});
 }
 
 Status GmshReader::read_nodes_2() {
@@ -106,11 +105,10 @@ Status GmshReader::read_nodes_2() {
   if (!count) return tl::unexpected(count.error());
   go_to_numbers();
   for (std::size_t i = 0; i < *count; ++i) {
-    const std::string one = one_of_all("node", i, *count);
-    const Result<Vertex> tag = text_.integer(kInt32, one);
-    if (!tag) return tl::unexpected(tag.error());
-    tags_.push_back(*tag);
-    if (Status point = read_coordinates(0, one); !point) return point;
+    tags_.push_back(text_.take(kInt32, one_of_all("", "node", i, *count)));
+    if (text_.has_failed()) return text_.failure();
+    const Item item = one_of_all("a coordinate of ", "node", i, *count);
+    if (Status point = read_coordinates(0, item); !point) return point;
   }
   return {};
 }
@@ -127,15 +125,19 @@ Status GmshReader::read_node_block(std::size_t& read) {
   const Result<std::size_t> count = text_.count(kUint64, "the number of nodes of a block");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
-    const Result<Vertex> tag = text_.integer(kUint64, one_of_all("node", i, *count));
-    if (!tag) return tl::unexpected(tag.error());
-    tags_.push_back(*tag);
+    tags_.push_back(text_.take(kUint64, one_of_all("", "node", i, *count)));
+    if (text_.has_failed()) return text_.failure();
   }
-  for (std::size_t i = 0; i < *count; ++i) {
-    const Status point =
-        read_coordinates(*parametric == 0 ? 0 : *dimension, one_of_all("node", i, *count));
-    if (!point) return point;
+  const Item first = one_of_all("a coordinate of ", "node", 0, *count);
+  Status points;
+  if (*parametric == 0 || *dimension == 0) {
+    points = text_.points(kFloat64, *count, first, file_.points.points);
+  } else {
+    for (std::size_t i = 0; points && i < *count; ++i) {
+      points = read_coordinates(*dimension, one_of_all("a coordinate of ", "node", i, *count));
+    }
   }
+  if (!points) return points;
   read += *count;
   return {};
 }
@@ -155,17 +157,17 @@ Status GmshReader::read_nodes_4() {
 }
 
 Result<const ElementType*> GmshReader::read_type() {
-  const Result<Vertex> code = text_.integer(kInt32, "the type of an element");
-  if (!code) return tl::unexpected(code.error());
+  const Vertex code = text_.take(kInt32, "the type of an element");
+  if (text_.has_failed()) return text_.failure();
   const auto* const type = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
-                                        [&](const ElementType& one) { return one.code == *code; });
+                                        [&](const ElementType& one) { return one.code == code; });
   if (type != kGmshTypes.end()) return type;
-  if (*code < 1 || *code > kLastGmshType) {
+  if (code < 1 || code > kLastGmshType) {
     return text_.fail("a type of elements from 1 to " + std::to_string(kLastGmshType),
-                      std::to_string(*code));
+                      std::to_string(code));
   }
   return text_.fail("edges, triangles and tetrahedra",
-                    "an element of Gmsh's type " + std::to_string(*code));
+                    "an element of Gmsh's type " + std::to_string(code));
 }
 
 // In version 4.1 the physical groups of elements are those of the entity to which they belong.
@@ -206,13 +208,10 @@ Status GmshReader::read_entities() {
 
 Status GmshReader::read_vertices(const ElementType& type, NumberType of_tags, Vertex label) {
   const std::size_t line = text_.line();
-  Simplex vertices;
-  while (vertices.size() < type.vertices) {
-    const Result<Vertex> vertex = text_.integer(of_tags, "a node of " + std::string(type.name));
-    if (!vertex) return tl::unexpected(vertex.error());
-    vertices.push_back(*vertex);
-  }
-  add_element(file_, type.shape, std::move(vertices), type.name, line, label);
+  vertices_.resize(type.vertices);
+  for (Vertex& vertex : vertices_) vertex = text_.take(of_tags, {"a node of ", type.name});
+  if (text_.has_failed()) return text_.failure();
+  add_element(file_, type.shape, vertices_, type.name, line, label);
   return {};
 }
 
@@ -222,28 +221,27 @@ Status GmshReader::read_elements_2() {
   if (!count) return tl::unexpected(count.error());
   go_to_numbers();
   for (std::size_t read = 0; read < *count;) {
-    const std::string one = one_of_all("element", read, *count);
+    const Item of_one = one_of_all("a tag of ", "element", read, *count);
     if (!text_.is_binary()) {
-      if (const Result<Vertex> tag = text_.integer(kInt32, one); !tag) {
-        return tl::unexpected(tag.error());
-      }
+      text_.take(kInt32, one_of_all("", "element", read, *count));
+      if (text_.has_failed()) return text_.failure();
     }
     const Result<const ElementType*> type = read_type();
     if (!type) return tl::unexpected(type.error());
     Result<std::size_t> in_block = 1;
     if (text_.is_binary()) in_block = text_.count(kInt32, "the number of elements of a block");
     if (!in_block) return tl::unexpected(in_block.error());
-    const Result<std::size_t> tags = text_.count(kInt32, "the number of tags of " + one);
-    if (!tags) return tl::unexpected(tags.error());
+    const Item of_tags = one_of_all("the number of tags of ", "element", read, *count);
+    const Vertex tags = text_.take(kInt32, of_tags);
+    if (text_.has_failed()) return text_.failure();
+    if (tags < 0) return text_.fail(of_tags.words() + ", 0 or more", std::to_string(tags));
     for (std::size_t i = 0; i < *in_block; ++i) {
-      Status status = text_.skip_numbers(kInt32, text_.is_binary() ? 1 : 0, "a tag of " + one);
-      Result<Vertex> group = 0;
-      if (status && *tags > 0) group = text_.integer(kInt32, "a tag of " + one);
-      if (!group) return tl::unexpected(group.error());
-      if (status && *tags > 1) {
-        status = text_.skip_numbers(kInt32, *tags - 1, "a tag of " + one);
-      }
-      if (status) status = read_vertices(**type, kInt32, *group);
+      if (text_.is_binary()) text_.take(kInt32, of_one);
+      const Vertex group = tags > 0 ? text_.take(kInt32, of_one) : 0;
+      if (text_.has_failed()) return text_.failure();
+      Status status;
+      if (tags > 1) status = text_.skip_numbers(kInt32, count_of(tags) - 1, of_one);
+      if (status) status = read_vertices(**type, kInt32, group);
       if (!status) return status;
     }
     read += *in_block;
@@ -267,8 +265,8 @@ Status GmshReader::read_element_block(std::size_t& read) {
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
-    const Result<Vertex> tag = text_.integer(kUint64, one_of_all("element", i, *count));
-    if (!tag) return tl::unexpected(tag.error());
+    text_.take(kUint64, one_of_all("", "element", i, *count));
+    if (text_.has_failed()) return text_.failure();
     if (Status vertices = read_vertices(**type, kUint64, label); !vertices) return vertices;
   }
   read += *count;
@@ -318,51 +316,6 @@ Status GmshReader::read_section(std::string_view keyword) {
                                     "the end of the file"});
 }
 
-// Points in the order of their tags. The tags become indices: unchanged, or counted from 1 if they
-// have gaps.
-Status GmshReader::count_from_lowest_tag() {
-  std::vector<std::size_t> order(tags_.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return tags_[a] < tags_[b]; });
-  std::vector<Vertex> sorted_tags;
-  std::vector<Point> points;
-  for (const std::size_t i : order) {
-    if (!sorted_tags.empty() && sorted_tags.back() == tags_[i]) {
-      return tl::unexpected(FormatError{text_.name(), 0, "a tag of its own for each node",
-                                        "tag " + std::to_string(tags_[i]) + " twice"});
-    }
-    sorted_tags.push_back(tags_[i]);
-    points.push_back(std::move(file_.points.points[i]));
-  }
-  file_.points.points = std::move(points);
-  file_.points.first_index = sorted_tags.empty() ? 1 : sorted_tags.front();
-  // This order avoids overflow: the difference of two tags is known to be small before it is
-  // computed.
-  bool has_gaps = false;
-  for (std::size_t i = 1; i < sorted_tags.size(); ++i) {
-    has_gaps = has_gaps || sorted_tags[i] != sorted_tags[i - 1] + 1;
-  }
-  if (!has_gaps) return {};
-  file_.points.first_index = 1;
-  file_.notes.push_back(text_.name() +
-                        ": the tags of nodes leave gaps; nodes are counted from 1 in their order");
-  for (SimplexFile* const list :
-       {&file_.edges, &file_.triangles, &file_.polygons, &file_.tetrahedra, &file_.other_solids}) {
-    for (std::size_t i = 0; i < list->simplices.size(); ++i) {
-      for (Vertex& v : list->simplices[i]) {
-        const auto found = std::lower_bound(sorted_tags.begin(), sorted_tags.end(), v);
-        if (found == sorted_tags.end() || *found != v) {
-          return tl::unexpected(FormatError{text_.name(), list->lines[i],
-                                            "the tag of a node in $Nodes", std::to_string(v)});
-        }
-        v = 1 + (found - sorted_tags.begin());
-      }
-    }
-  }
-  return {};
-}
-
 // Gmsh appends options there (Show "*";), and its own reader goes to the next line with a '$'.
 void GmshReader::skip_line(std::string_view first_word) {
   const std::size_t line = text_.line();
@@ -382,6 +335,7 @@ Result<ElementFile> GmshReader::read() {
   }
   if (Status header = read_header(); !header) return tl::unexpected(header.error());
   file_.points.dimension = 3;
+  file_.points.points.set_columns(3);
   while (true) {
     const std::string_view keyword = text_.word();
     if (keyword.empty()) break;
@@ -394,7 +348,8 @@ Result<ElementFile> GmshReader::read() {
   }
   if (!has_nodes_) return text_.fail_at_word("the section $Nodes");
   if (!has_elements_) return text_.fail_at_word("the section $Elements");
-  if (Status tags = count_from_lowest_tag(); !tags) return tl::unexpected(tags.error());
+  Status tags = index_by_tags(file_, std::move(tags_), text_.name(), "in $Nodes");
+  if (!tags) return tl::unexpected(tags.error());
   finish_elements(file_);
   return std::move(file_);
 }
@@ -408,7 +363,7 @@ Result<ElementFile> read_gmsh(const Source& source, NumberReading reading) {
 }
 
 void write_gmsh(std::ostream& out, const ElementFile& file) {
-  const std::vector<Point>& points = file.points.points;
+  const PointRows& points = file.points.points;
   out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(points.size()) + "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     out << std::to_string(i + 1) + " " + joined(points[i]) +

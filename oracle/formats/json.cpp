@@ -53,8 +53,8 @@ std::string comma_separated(const std::vector<Vertex>& values) {
 }
 
 // A key and its array of arrays, one a line.
-template <class Row>
-void write_rows(std::ostream& out, const std::string& key, const std::vector<Row>& rows) {
+template <class Rows>
+void write_rows(std::ostream& out, const std::string& key, const Rows& rows) {
   out << ",\n\"" + key + "\": [";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out << (i == 0 ? "\n[" : ",\n[") + comma_separated(rows[i]) + "]";

@@ -78,9 +78,9 @@ bool JsonEvents::number(std::string_view text) {
       if (key_ == kWeights) return exact(text, file_.weights);
       break;
     case 3:
-      if (key_ == kPoints) return exact(text, file_.points.points.back());
+      if (key_ == kPoints) return exact(text, point_);
       if (!integer(text, vertex)) return false;
-      cells().simplices.back().push_back(vertex);
+      simplex_.push_back(vertex);
       return true;
     default:
       break;
@@ -91,7 +91,7 @@ bool JsonEvents::number(std::string_view text) {
 bool JsonEvents::string(const std::string& value) {
   if (depth_ == 1 && key_ == kComment) return true;
   if (depth_ == 2 && key_ == kWeights) return exact(value, file_.weights);
-  if (depth_ == 3 && key_ == kPoints) return exact(value, file_.points.points.back());
+  if (depth_ == 3 && key_ == kPoints) return exact(value, point_);
   return mismatch("the string " + quote(value));
 }
 
@@ -149,11 +149,9 @@ bool JsonEvents::start_array(std::size_t) {
   const bool is_wanted = (depth_ == 1 && is_list) || (depth_ == 2 && is_list_of_lists());
   if (!is_wanted) return mismatch("an array");
   ++depth_;
-  if (depth_ == 3 && key_ == kPoints) file_.points.points.emplace_back();
-  if (depth_ == 3 && is_list_of_vertices()) {
-    cells().simplices.emplace_back();
-    cells().lines.push_back(line());
-  }
+  point_.clear();
+  simplex_.clear();
+  if (depth_ == 3 && is_list_of_vertices()) cells().lines.push_back(line());
   return true;
 }
 
@@ -164,16 +162,20 @@ bool JsonEvents::end_array() {
 }
 
 bool JsonEvents::end_of_point() {
-  const std::vector<Point>& points = file_.points.points;
+  if (!size_of_first_) size_of_first_ = point_.size();
   const std::size_t known = file_.points.dimension;
-  const std::size_t wanted_size = known > 0 ? known : points.front().size();
-  if (points.back().size() == wanted_size) return true;
+  const std::size_t wanted_size = known > 0 ? known : *size_of_first_;
+  if (point_.size() == wanted_size) {
+    file_.points.points.push_back(point_);
+    return true;
+  }
   return fail("a point with " + std::to_string(wanted_size) + " coordinates",
-              "one with " + std::to_string(points.back().size()));
+              "one with " + std::to_string(point_.size()));
 }
 
 bool JsonEvents::end_of_simplex() {
-  if (!cells().simplices.back().empty()) return true;
+  cells().simplices.push_back(simplex_);
+  if (!simplex_.empty()) return true;
   const std::string one = key_ == kFaces ? "a face" : "a simplex";
   return fail(one + " of at least 1 vertex", "an empty array");
 }
@@ -214,11 +216,10 @@ Status JsonEvents::check_whole() const {
     }
   }
   const PointFile& points = file_.points;
-  if (!points.points.empty() && points.points.front().size() != points.dimension) {
-    return fail_at(
-        kDimension,
-        "the dimension " + std::to_string(points.points.front().size()) + ", which the points have",
-        std::to_string(points.dimension));
+  if (size_of_first_ && *size_of_first_ != points.dimension) {
+    return fail_at(kDimension,
+                   "the dimension " + std::to_string(*size_of_first_) + ", which the points have",
+                   std::to_string(points.dimension));
   }
   if (!has_room(points.first_index, points.points.size())) {
     return fail_at(kFirstIndex,
@@ -238,7 +239,7 @@ Status JsonEvents::check_whole() const {
 Status JsonEvents::check_faces() const {
   const SimplexFile& faces = file_.faces;
   for (std::size_t i = 0; i < faces.simplices.size(); ++i) {
-    const std::size_t size = faces.simplices[i].size();
+    const std::size_t size = faces.simplices.size_of(i);
     if (size <= file_.points.dimension) continue;
     return tl::unexpected(
         FormatError{source_.name, faces.lines[i],
@@ -254,9 +255,9 @@ Result<JsonFile> JsonEvents::finish() {
   if (Status whole = check_whole(); !whole) return tl::unexpected(whole.error());
   file_.has_simplices = line_of_[kSimplices] > 0;
   file_.simplices.first_index = file_.points.first_index;
-  file_.simplices.vertices_per_simplex = size_of_each(file_.simplices.simplices);
+  file_.simplices.vertices_per_simplex = file_.simplices.simplices.columns();
   file_.faces.first_index = file_.points.first_index;
-  file_.faces.vertices_per_simplex = size_of_each(file_.faces.simplices);
+  file_.faces.vertices_per_simplex = file_.faces.simplices.columns();
   return std::move(file_);
 }
 

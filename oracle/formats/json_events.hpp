@@ -80,6 +80,9 @@ class JsonEvents {
   const char* const& position_;
   NumberReading reading_;
   JsonFile file_;
+  Point point_;  // being read, as the next one
+  Simplex simplex_;
+  std::optional<std::size_t> size_of_first_ = {};  // point
   FormatError error_;
   int depth_ = 0;                                // the open objects and arrays
   Key key_ = kKeys;                              // whose value is being read

@@ -9,6 +9,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/read_domain.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -108,10 +109,10 @@ TEST_CASE("foreign files: what begins like one and is none") {
   CHECK(is_known("x.msh", "(0 \"a\")\n"));
   CHECK_FALSE(is_known("x.msh", "(a)\n"));
   CHECK_FALSE(is_known("x.msh", "("));
-  CHECK(is_known("x", "** a comment\n** another\n*part, name=a\n"));
-  CHECK_FALSE(is_known("x", "** comments alone\n"));
-  CHECK_FALSE(is_known("x", "* 1 2\n"));
-  CHECK_FALSE(is_known("x", "*\n"));
+  CHECK(is_known("x.mesh", "** a comment\n** another\n*part, name=a\n"));
+  CHECK_FALSE(is_known("x.mesh", "** comments alone\n"));
+  CHECK_FALSE(is_known("x.mesh", "* 1 2\n"));
+  CHECK_FALSE(is_known("x.inp", "*part, name=a\n"));
   CHECK_FALSE(is_known("x", "versions\n"));
   CHECK_FALSE(is_known("x", ""));
   CHECK_FALSE(is_known("x", " \n# MFEM\n"));

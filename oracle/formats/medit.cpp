@@ -1,8 +1,11 @@
+#include "oracle/formats/medit.hpp"
+
 #include <array>
 #include <cctype>
+#include <optional>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -68,7 +71,8 @@ class MeditReader {
     return lines_.fail_at(column_, expected);
   }
   Result<std::size_t> next_count(std::string_view what);
-  Result<Vertex> next_integer(const std::string& what);
+  // The next integer; after the first error all are 0, and failure_ is that error.
+  Vertex take(const Item& item);
 
   Status read_header();
   Status read_dimension();
@@ -83,6 +87,7 @@ class MeditReader {
   std::size_t column_ = 0;
   ElementFile file_;
   bool has_vertices_ = false;
+  std::optional<FormatError> failure_ = {};
   bool has_token_ = false;  // the keyword of the next section was met by skipping
 };
 
@@ -101,9 +106,17 @@ Result<std::size_t> MeditReader::next_count(std::string_view what) {
   return lines_.count(column_, what);
 }
 
-Result<Vertex> MeditReader::next_integer(const std::string& what) {
-  if (!next()) return fail(what);
-  return lines_.integer(column_, what);
+Vertex MeditReader::take(const Item& item) {
+  if (failure_) return 0;
+  if (!next()) {
+    failure_ = fail(item.words()).value();
+    return 0;
+  }
+  if (const auto plain = lines_.plain_integer(column_)) return *plain;
+  const Result<Vertex> value = lines_.integer(column_, item.words());
+  if (value) return *value;
+  failure_ = value.error();
+  return 0;
 }
 
 Status MeditReader::read_header() {
@@ -119,6 +132,7 @@ Status MeditReader::read_dimension() {
   if (!dimension) return tl::unexpected(dimension.error());
   if (*dimension != 2 && *dimension != 3) return fail("dimension 2 or 3");
   file_.points.dimension = *dimension;
+  file_.points.points.set_columns(*dimension);
   return {};
 }
 
@@ -130,17 +144,13 @@ Status MeditReader::read_vertices() {
   const Result<std::size_t> count = next_count("the number of vertices");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
-    const std::string one = "vertex " + std::to_string(i + 1) + " of " + std::to_string(*count);
-    Point point;
-    while (point.size() < dimension) {
-      if (!next()) return fail(one);
-      Result<Rational> number = lines_.number(column_, reading_);
-      if (!number) return tl::unexpected(number.error());
-      point.push_back(std::move(*number));
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      if (!next()) return fail(Item("", "vertex", i, *count).words());
+      const Status number = lines_.add_numbers(column_, 1, reading_, file_.points.points);
+      if (!number) return number;
     }
-    const Result<Vertex> reference = next_integer("the reference of " + one);
-    if (!reference) return tl::unexpected(reference.error());
-    file_.points.points.push_back(std::move(point));
+    take({"the reference of ", "vertex", i, *count});
+    if (failure_) return tl::unexpected(*failure_);
   }
   return {};
 }
@@ -150,20 +160,16 @@ Status MeditReader::read_elements(const ElementSection& section) {
   if (!count) return tl::unexpected(count.error());
   const std::string noun(section.noun);
   const std::string name = std::string(section.article) + " " + noun;
+  Simplex element(section.vertices);
   for (std::size_t i = 0; i < *count; ++i) {
-    const std::string which = noun + " " + std::to_string(i + 1) + " of " + std::to_string(*count);
-    Simplex element;
     std::size_t line = 0;
-    while (element.size() <= section.vertices) {
-      const Result<Vertex> number = next_integer(
-          (element.size() < section.vertices ? "a vertex of " : "the reference of ") + which);
-      if (!number) return tl::unexpected(number.error());
-      if (element.empty()) line = lines_.line();
-      element.push_back(*number);
+    for (Vertex& vertex : element) {
+      vertex = take({"a vertex of ", noun, i, *count});
+      if (line == 0) line = lines_.line();
     }
-    const Vertex label = element.back();
-    element.pop_back();
-    add_element(file_, section.shape, std::move(element), name, line, label);
+    const Vertex label = take({"the reference of ", noun, i, *count});
+    if (failure_) return tl::unexpected(*failure_);
+    add_element(file_, section.shape, element, name, line, label);
   }
   return {};
 }
@@ -249,9 +255,11 @@ void write_medit(std::ostream& out, const ElementFile& file) {
   const auto write = [&](const char* keyword, const SimplexFile& cells) {
     if (cells.simplices.empty()) return;
     out << keyword << " " + std::to_string(cells.simplices.size()) + "\n";
-    for (Simplex cell : cells.simplices) {
+    for (std::size_t i = 0; i < cells.simplices.size(); ++i) {
+      Simplex cell = cells.simplices[i];
       for (Vertex& v : cell) v = index_of_place(place_of_index(v, file.points.first_index), 1);
-      out << joined(cell) + " 0\n";
+      const Vertex reference = cells.labels.empty() ? 0 : cells.labels[i];
+      out << joined(cell) + " " + std::to_string(reference) + "\n";
     }
   };
   write("Edges", file.edges);

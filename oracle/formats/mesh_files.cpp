@@ -7,31 +7,14 @@
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/foreign_file.hpp"
-#include "oracle/formats/mesh_formats.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
-
-Result<std::vector<Rational>> weights_of(RawPoints& points, Weights which) {
-  if (which == Weights::kNone) return {};
-  if (which == Weights::kListed || !points.weights.empty() || points.points.points.empty()) {
-    return std::move(points.weights);
-  }
-  std::vector<Rational> first_attributes;
-  for (const std::vector<Rational>& attributes : points.points.attributes) {
-    if (!attributes.empty()) first_attributes.push_back(attributes.front());
-  }
-  if (first_attributes.size() == points.points.points.size()) return first_attributes;
-  return tl::unexpected(FormatError{
-      points.name, 0,
-      "a weight for each point (the first attribute of a .node file, the key \"weights\" of JSON)",
-      "none"});
-}
-
-// ---- Mesh files ----
 
 namespace {
 
@@ -41,7 +24,7 @@ std::string with_extension(const std::string& path, std::string_view extension_b
 
 // The file of the simplices; for a file of points, the one beside it.
 std::string file_of_simplices(const std::string& path) {
-  const MeshFormat* const format = format_of(extension(path));
+  const Format* const format = format_of(extension(path));
   if (format == nullptr || format->simplices_beside.empty()) return path;
   return with_extension(path, format->simplices_beside);
 }
@@ -50,25 +33,23 @@ std::string file_of_simplices(const std::string& path) {
 tl::unexpected<FormatError> no_points(const Source& source) {
   Lines lines(source);
   lines.next();
-  return lines.fail_at(
-      0, "a file of points (" + kinds_of_points() + ") or a domain (.poly, .smesh, .stl)");
+  return lines.fail_at(0, "a file of points (" + endings_of(&Format::has_points) +
+                              ") or a domain (.poly, .smesh, .stl)");
 }
 
 Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
                             NumberReading reading) {
   if (!source) return tl::unexpected(source.error());
-  const MeshFormat* format = format_of(extension(path));
-  const std::string expected = "a file of points (" + kinds_of_points() + ")";
-  if (format == nullptr) {
-    if (const auto other = other_kind(extension(path))) {
-      return tl::unexpected(FormatError{source->name, 0, expected, *other});
-    }
-    format = sniff_points(*source);
+  const Format* format = format_of(extension(path));
+  const std::string expected = "a file of points (" + endings_of(&Format::has_points) + ")";
+  if (const auto other = other_kind(extension(path))) {
+    return tl::unexpected(FormatError{source->name, 0, expected, *other});
   }
+  if (format == nullptr) format = told_format(*source, &Format::has_points);
   if (format == nullptr) return explained<RawPoints>(no_points(*source), *source);
-  if (format->points != nullptr) return explained(format->points(*source, reading), *source);
-  return tl::unexpected(
-      FormatError{source->name, 0, expected, "a " + std::string(format->extension) + " file"});
+  if (format->has_points()) return explained(format->read_points(*source, reading), *source);
+  return tl::unexpected(FormatError{source->name, 0, expected,
+                                    "a " + std::string(format->endings.front()) + " file"});
 }
 
 // Reads a file that goes with another, and says so if it is missing.
@@ -101,13 +82,14 @@ Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
 // one. Fewer vertices, or differing numbers of them, are faults of the mesh, and left to the judge.
 Status check_sizes(const SimplexFile& file, std::size_t dimension, const std::string& name) {
   const std::size_t most = dimension + 1;
+  if (file.simplices.columns() > 0 && file.simplices.columns() <= most) return {};
   for (std::size_t i = 0; i < file.simplices.size(); ++i) {
-    if (file.simplices[i].size() <= most) continue;
+    if (file.simplices.size_of(i) <= most) continue;
     return tl::unexpected(FormatError{
         name, file.lines[i],
         "at most " + std::to_string(most) + " vertices of a simplex in dimension " +
             std::to_string(dimension),
-        std::to_string(file.simplices[i].size()) +
+        std::to_string(file.simplices.size_of(i)) +
             " (elements of second order and facets that are no simplices are not judged)"});
   }
   return {};
@@ -135,7 +117,7 @@ Status read_faces(const std::string& name, MeshFile& read) {
     const Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
     if (!file) return tl::unexpected(file.error());
     std::vector<Simplex>& faces = read.mesh.faces;
-    faces.insert(faces.end(), file->simplices.begin(), file->simplices.end());
+    for (Simplex face : file->simplices) faces.push_back(std::move(face));
     add_markers(*file, read.mesh.first_index, read.face_markers);
   }
   return {};
@@ -176,30 +158,29 @@ Status unpack_archive(MeshRequest& request) {
 
 // The simplices, and the points if they are in the same file; `format` tells which it is.
 Result<Contents> read_contents(const MeshRequest& request, const std::string& path,
-                               std::string& name, const MeshFormat*& format) {
+                               std::string& name, const Format*& format) {
   const Result<Source> source = load_mesh(request, path);
   if (!source) return tl::unexpected(source.error());
   name = source->name;
   format = format_of(extension(path));
-  const std::string expected = "a mesh (" + kinds_of_meshes() +
+  const std::string expected = "a mesh (" + endings_of(&Format::has_mesh) +
                                "; .ele goes with .node, .qhull-i with .qhull, .npy with " +
                                request.points_option + ")";
-  if (format == nullptr) {
-    if (const auto other = other_kind(extension(path))) {
-      return tl::unexpected(FormatError{name, 0, expected, *other});
-    }
-    format = sniff_mesh(*source, request.points || request.own_points);
+  if (const auto other = other_kind(extension(path))) {
+    return tl::unexpected(FormatError{name, 0, expected, *other});
   }
-  if (format != nullptr && format->mesh != nullptr) {
-    return explained(format->mesh(*source, request.reading), *source);
+  const bool has_points = request.points || request.own_points;
+  if (format == nullptr) format = told_format(*source, &Format::has_mesh, has_points);
+  if (format != nullptr && format->has_mesh()) {
+    return explained(format->read_mesh(*source, request.reading), *source);
   }
-  const std::string_view first = first_word(*source);
+  const std::string_view first = Beginning(*source).first_token;
   return tl::unexpected(
       explained(FormatError{name, 1, expected, first.empty() ? "nothing" : quote(first)}, *source));
 }
 
 Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& path,
-                                 const MeshFormat& format, Contents& contents) {
+                                 const Format& format, Contents& contents) {
   if (request.own_points) return RawPoints{*request.own_points};
   if (request.points) {
     return points_of(source_of(request, *request.points), *request.points, request.reading);
@@ -251,15 +232,17 @@ void load_streams(MeshRequest& request) {
 }
 
 std::string_view format_of_points(const std::string& path, const Source* text) {
-  const MeshFormat* format = format_of(extension(path));
-  if (format == nullptr && text != nullptr) format = sniff_points(*text);
-  return format == nullptr ? "" : format->extension;
+  const Format* format = format_of(extension(path));
+  if (format == nullptr && text != nullptr) format = told_format(*text, &Format::has_points);
+  return format == nullptr ? "" : format->endings.front();
 }
 
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points) {
-  const MeshFormat* format = format_of(extension(path));
-  if (format == nullptr && text != nullptr) format = sniff_mesh(*text, if_points);
-  return format == nullptr ? "" : format->extension;
+  const Format* format = format_of(extension(path));
+  if (format == nullptr && text != nullptr) {
+    format = told_format(*text, &Format::has_mesh, if_points);
+  }
+  return format == nullptr ? "" : format->endings.front();
 }
 
 Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
@@ -269,35 +252,35 @@ Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   const std::string path = file_of_simplices(request.mesh);
   MeshFile file;
-  const MeshFormat* format = nullptr;
+  const Format* format = nullptr;
   Result<Contents> contents = read_contents(request, path, file.mesh_name, format);
   if (!contents) return tl::unexpected(contents.error());
   Result<RawPoints> points = points_of_mesh(request, path, *format, *contents);
   if (!points) return tl::unexpected(points.error());
   Mesh& mesh = file.mesh;
-  mesh.coordinates = numbers_of(points->points.points, points->points.dimension);
+  Result<std::vector<Rational>> weights = weights_of(*points, request.weights);
+  mesh.coordinates = std::move(points->points.points).as_numbers(points->points.dimension);
   mesh.first_index = points->points.first_index;
   file.points_name = points->name;
   file.notes = std::move(contents->notes);
   SimplexFile& simplices = contents->simplices;
-  if (may_be_of_plane(request) &&
-      !needs_space(simplices.simplices, simplices.vertices_per_simplex, contents->faces)) {
+  if (may_be_of_plane(request) && !needs_space(simplices, contents->faces)) {
     leave_out_height(file, request.domain_height);
   }
-  const std::vector<Vertex> labels = std::move(simplices.labels);
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());
   }
   const ListedSimplices listed{simplices.simplices.size(), simplices.vertices_per_simplex, path};
-  count_from_zero(simplices.simplices, mesh.first_index);
-  mesh.simplices = IndexLists(std::move(simplices.simplices));
+  simplices.simplices.replace_each(
+      [first = mesh.first_index](Vertex index) { return place_of_index(index, first); });
+  mesh.simplices = std::move(simplices.simplices).as_index_lists();
   if (request.with_faces) {
     mesh.faces = std::move(contents->faces);
     if (Status read = read_faces(path, file); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
   }
   if (!request.kept_labels.empty()) {
-    if (Status kept = keep_labelled(request.kept_labels, labels, file); !kept) {
+    if (Status kept = keep_labelled(request.kept_labels, simplices.labels.values(), file); !kept) {
       return tl::unexpected(kept.error());
     }
   }
@@ -309,7 +292,6 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   } else if (is_of_domain_dimension(request, mesh)) {
     take_for_faces(file);
   }
-  Result<std::vector<Rational>> weights = weights_of(*points, request.weights);
   if (!weights) return tl::unexpected(weights.error());
   if (!weights->empty()) mesh.weights = numbers_of(*weights);
   return file;

@@ -12,31 +12,10 @@
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/point_file.hpp"
+#include "oracle/formats/weights.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::formats {
-
-// ---- Weights ----
-// Points as files hold them, and which of their numbers are weights.
-
-struct RawPoints {
-  PointFile points;
-  std::vector<Rational> weights = {};  // empty, or one a point
-  std::string name = {};               // of the file, for messages
-};
-
-// Which weights the points of a file have.
-enum class Weights {
-  kNone,      // none, whatever the file has
-  kListed,    // what the file names weights: the key "weights" of JSON
-  kDemanded,  // these, or the first attributes of .node, as with TetGen's option -w; it is an error
-              // if there are none
-};
-
-// One weight a point, or none at all.
-Result<std::vector<Rational>> weights_of(RawPoints& points, Weights which);
-
-// ---- Mesh files ----
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
@@ -84,8 +63,8 @@ void load_streams(MeshRequest& request);
 // The loaded text of a file; null if it was not loaded.
 const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path);
 
-// The extension of files of this format: that of the path, if it is known, else by the content of
-// the text; empty if the format cannot be known. `text` may be null. A list of simplices alone
+// The usual ending of files of this format: by the ending of the path, if it is known, else by the
+// content of the text; empty if the format cannot be known. `text` may be null. A list of simplices alone
 // counts as a mesh only `if_points` are known.
 std::string_view format_of_points(const std::string& path, const Source* text);
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points);

@@ -11,6 +11,8 @@
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
@@ -270,9 +272,8 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(error_of(mesh_of(folder.path("none.ele"))) ==
         folder.path("none.ele") + ": expected a file, found no file of that name");
   CHECK(error_of(mesh_of(lone, ele)) != "no error");
-  const std::string known =
-      "a mesh (.ele, .json, .off, .mesh, .msh, .vtk, .vtu, .vtp, .tet, .tetrahedra, .obj, .ply, "
-      ".npy, .npz, .qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
+  const std::string known = "a mesh (" + endings_of(&Format::has_mesh) +
+                            "; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
   const std::string unknown = folder.write("x.plt", "TITLE a mesh\n");
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"TITLE\"");
   // Lists of points begin with a number, which may have a sign.
@@ -287,15 +288,16 @@ TEST_CASE("what cannot be found or judged") {
         "<stdin>: expected the mesh or its points on standard input, found both");
   const auto points = read_points(ele, NumberReading::kDouble);
   REQUIRE(!points);
-  CHECK(points.error().to_string() == ele +
-                                          ": expected a file of points (.node, .json, .off, .mesh, "
-                                          ".msh, .vtk, .vtu, .vtp, .tet, .tetrahedra, .obj, .ply, "
-                                          ".xyz, .csv, .npy, .npz, .qhull), found a .ele file");
-  const auto abaqus = read_points(folder.write("x.inp", "1, 0, 0, 0\n"), NumberReading::kDouble);
-  REQUIRE(!abaqus);
-  CHECK(abaqus.error().found ==
-        "a mesh of Abaqus (with Debian's python3-meshio: python3 -c 'import meshio; "
-        "meshio.read(\"IN.inp\").write(\"OUT.vtu\")')");
+  CHECK(points.error().to_string() == ele + ": expected a file of points (" +
+                                          endings_of(&Format::has_points) + "), found a .ele file");
+  CHECK(endings_of(&Format::has_points).starts_with(".node, .json, .off, .mesh, "));
+  CHECK(endings_of(&Format::has_domain).starts_with(".poly, .smesh, .off, .stl, "));
+  CHECK(endings_in_help(&Format::has_mesh).starts_with(".ele (points in the .node beside it), "));
+  const auto nastran = read_points(folder.write("x.bdf", "GRID,1\n"), NumberReading::kDouble);
+  REQUIRE(!nastran);
+  CHECK(nastran.error().found ==
+        "a mesh of Nastran (with Debian's python3-meshio: python3 -c 'import meshio; "
+        "meshio.read(\"IN.bdf\").write(\"OUT.vtu\")')");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

@@ -179,18 +179,6 @@ std::string_view kind_of(const NpyHeader& header) {
   return has_order ? type.substr(1) : "";
 }
 
-template <class Index>
-SimplexFile as_lists(const Rows<Index>& rows) {
-  SimplexFile file;
-  file.vertices_per_simplex = rows.columns();
-  file.simplices.reserve(rows.rows());
-  for (std::size_t i = 0; i < rows.rows(); ++i) {
-    file.simplices.emplace_back(rows.row(i).begin(), rows.row(i).end());
-  }
-  file.lines.assign(rows.rows(), 0);
-  return file;
-}
-
 constexpr std::string_view kEntry = "PK\1\2", kLocalHeader = "PK\3\4", kEndOfArchive = "PK\5\6";
 constexpr std::size_t kSizeOfEnd = 22, kLongestComment = 0xffff;
 
@@ -381,11 +369,9 @@ Result<PointFile> read_npy_points(const Source& source) {
   if (!points) return tl::unexpected(points.error());
   PointFile file;
   file.dimension = points->columns();
+  file.points.set_columns(points->columns());
   file.points.reserve(points->rows());
-  for (std::size_t i = 0; i < points->rows(); ++i) {
-    Point& point = file.points.emplace_back();
-    for (const double coordinate : points->row(i)) point.push_back(exact_value(coordinate));
-  }
+  for (const double coordinate : points->values()) file.points.add(coordinate);
   return file;
 }
 
@@ -393,7 +379,18 @@ Result<SimplexFile> read_npy_simplices(const Source& source) {
   const auto simplices =
       read_rows_of_npy_simplices(RandomAccess(std::string_view(source.text)), source.name);
   if (!simplices) return tl::unexpected(simplices.error());
-  return std::visit([](const auto& rows) { return as_lists(rows); }, *simplices);
+  SimplexFile file;
+  std::visit(
+      [&file](const auto& rows) {
+        Indices indices;
+        indices.reserve(rows.values().size());
+        for (const auto index : rows.values()) indices.push_back(index);
+        file.vertices_per_simplex = rows.columns();
+        file.simplices = SimplexRows(std::move(indices), rows.columns());
+        for (std::size_t i = 0; i < rows.rows(); ++i) file.lines.push_back(0);
+      },
+      *simplices);
+  return file;
 }
 
 }  // namespace circumspect::formats

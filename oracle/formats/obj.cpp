@@ -1,8 +1,9 @@
+#include "oracle/formats/obj.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -46,6 +47,7 @@ class ObjReader {
   Result<ElementFile> read() {
     file_.points.dimension = 3;
     file_.points.first_index = 1;
+    file_.points.points.set_columns(3);
     while (lines_.next()) {
       const std::string_view word = lines_.tokens()[0];
       Status status;
@@ -69,16 +71,13 @@ class ObjReader {
     if (lines_.size() < 4) {
       return lines_.fail("3 coordinates", std::to_string(lines_.size() - 1));
     }
-    Result<Point> point = lines_.numbers(1, 3, reading_);
-    if (!point) return tl::unexpected(point.error());
-    const auto others = lines_.numbers(4, lines_.size() - 4, reading_);
-    if (!others) return tl::unexpected(others.error());
-    file_.points.points.push_back(std::move(*point));
-    return {};
+    const Status point = lines_.add_numbers(1, 3, reading_, file_.points.points);
+    return point ? lines_.check_numbers(4, lines_.size() - 4, reading_) : point;
   }
 
   // The index of a point: 7, 7/1, 7//2, 7/1/2; from −1 on those before this line, backwards.
   Result<Vertex> read_vertex(std::size_t column) {
+    if (const auto plain = lines_.plain_integer(column); plain && *plain > 0) return *plain;
     const std::string_view token = lines_.tokens()[column];
     Vertex index = 0;
     if (parse_integer(token.substr(0, token.find('/')), index) != std::errc()) {
@@ -94,16 +93,17 @@ class ObjReader {
   }
 
   Status read_element(ElementShape shape, const std::string& name) {
-    Simplex vertices;
+    vertices_.clear();
     for (std::size_t column = 1; column < lines_.size(); ++column) {
       const Result<Vertex> vertex = read_vertex(column);
       if (!vertex) return tl::unexpected(vertex.error());
-      vertices.push_back(*vertex);
+      vertices_.push_back(*vertex);
     }
-    const std::size_t size = vertices.size();
-    const std::string kind =
-        shape == ElementShape::kPolygon ? name + " of " + std::to_string(size) + " vertices" : name;
-    const auto fault = add_element(file_, shape, std::move(vertices), kind, lines_.line());
+    const std::size_t size = vertices_.size();
+    const bool is_named = shape == ElementShape::kPolygon && size != 3;
+    const auto fault = add_element(
+        file_, shape, vertices_,
+        is_named ? name + " of " + std::to_string(size) + " vertices" : name, lines_.line());
     if (!fault) return {};
     return lines_.fail(
         name + (shape == ElementShape::kPolygon ? " of 3" : " of 2") + " vertices or more",
@@ -113,6 +113,7 @@ class ObjReader {
   Lines lines_;
   NumberReading reading_;
   ElementFile file_;
+  Simplex vertices_;  // of one element
 };
 
 }  // namespace
@@ -139,7 +140,7 @@ void write_obj(std::ostream& out, const ElementFile& file) {
     }
   };
   write("f ", surface_of(file));
-  write("l ", file.edges.simplices);
+  write("l ", file.edges.simplices.lists());
 }
 
 }  // namespace circumspect::formats

@@ -1,7 +1,8 @@
+#include "oracle/formats/off.hpp"
+
 #include <algorithm>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -98,36 +99,32 @@ Result<Layout> read_header(Lines& lines) {
 }
 
 // Goes to line `done` of `count` lines of one kind.
-Status next_of(Lines& lines, const std::string& one, std::size_t done, std::size_t count) {
+Status next_of(Lines& lines, std::string_view one, std::size_t done, std::size_t count) {
   if (lines.next()) return {};
-  return lines.fail(one + " " + std::to_string(done + 1) + " of " + std::to_string(count),
-                    "the end of the file");
+  return lines.fail(
+      std::string(one) + " " + std::to_string(done + 1) + " of " + std::to_string(count),
+      "the end of the file");
 }
 
 // What follows the columns that matter: colours, normals, textures. No claim is about them, but
 // they have to be numbers.
 Status check_others(const Lines& lines, std::size_t first, NumberReading reading) {
-  const auto numbers = lines.numbers(first, lines.size() - first, reading);
-  if (!numbers) return tl::unexpected(numbers.error());
-  return {};
+  return lines.check_numbers(first, lines.size() - first, reading);
 }
 
-Result<Point> read_point(const Lines& lines, const Layout& layout, NumberReading reading) {
+Status read_point(const Lines& lines, const Layout& layout, NumberReading reading,
+                  PointRows& points) {
   const bool fits =
       layout.has_more_columns ? lines.size() >= layout.dimension : lines.size() == layout.dimension;
   if (!fits) {
     return lines.fail(std::to_string(layout.dimension) + " coordinates",
                       std::to_string(lines.size()));
   }
-  Result<Point> point = lines.numbers(0, layout.dimension, reading);
-  if (!point) return point;
-  if (Status more = check_others(lines, layout.dimension, reading); !more) {
-    return tl::unexpected(more.error());
-  }
-  return point;
+  const Status point = lines.add_numbers(0, layout.dimension, reading, points);
+  return point ? check_others(lines, layout.dimension, reading) : point;
 }
 
-Result<Simplex> read_face(const Lines& lines, NumberReading reading) {
+Status read_face(const Lines& lines, NumberReading reading, Simplex& face) {
   const Result<std::size_t> size = lines.count(0, "the number of vertices of a face");
   if (!size) return tl::unexpected(size.error());
   if (*size == 0) return lines.fail_at(0, "a face of at least 1 vertex");
@@ -135,29 +132,25 @@ Result<Simplex> read_face(const Lines& lines, NumberReading reading) {
     return lines.fail("a face of " + std::to_string(*size) + " vertices",
                       std::to_string(lines.size() - 1));
   }
-  Result<Simplex> face = lines.integers(1, *size, "a vertex");
-  if (!face) return face;
-  if (Status colour = check_others(lines, 1 + *size, reading); !colour) {
-    return tl::unexpected(colour.error());
-  }
-  return face;
+  const Status vertices = lines.integers(1, *size, "a vertex", face);
+  return vertices ? check_others(lines, 1 + *size, reading) : vertices;
 }
 
 Status read_points(Lines& lines, const Layout& layout, NumberReading reading, OffFile& file) {
   file.points.dimension = layout.dimension;
+  file.points.points.set_columns(layout.dimension);
   for (std::size_t i = 0; i < layout.points; ++i) {
     const Status line = next_of(lines, "point", i, layout.points);
     if (!line) return tl::unexpected(line.error());
-    Result<Point> point = read_point(lines, layout, reading);
-    if (!point) return tl::unexpected(point.error());
-    file.points.points.push_back(std::move(*point));
+    const Status point = read_point(lines, layout, reading, file.points.points);
+    if (!point) return point;
   }
   return {};
 }
 
 Result<OffFile> finish_off(Lines& lines, OffFile file) {
   if (lines.next()) return lines.fail_at(0, "the end of the file after the last face");
-  file.faces.vertices_per_simplex = size_of_each(file.faces.simplices);
+  file.faces.vertices_per_simplex = file.faces.simplices.columns();
   return file;
 }
 
@@ -168,12 +161,12 @@ Result<OffFile> read_unwrapped(const Source& source, NumberReading reading) {
   if (!layout) return tl::unexpected(layout.error());
   OffFile file;
   Status status = read_points(lines, *layout, reading, file);
+  Simplex face;
   for (std::size_t i = 0; status && i < layout->faces; ++i) {
     status = next_of(lines, "face", i, layout->faces);
+    if (status) status = read_face(lines, reading, face);
     if (!status) break;
-    Result<Simplex> face = read_face(lines, reading);
-    if (!face) return tl::unexpected(face.error());
-    file.faces.simplices.push_back(std::move(*face));
+    file.faces.simplices.push_back(face);
     file.faces.lines.push_back(lines.line());
   }
   if (!status) return tl::unexpected(status.error());
@@ -214,7 +207,7 @@ Result<OffFile> read_wrapped(const Source& source, NumberReading reading) {
     if (Status colour = check_others(lines, column, reading); !colour) {
       return tl::unexpected(colour.error());
     }
-    file.faces.simplices.push_back(std::move(face));
+    file.faces.simplices.push_back(face);
   }
   return finish_off(lines, std::move(file));
 }
@@ -234,7 +227,7 @@ Result<OffFile> read_off(const Source& source, NumberReading reading) {
 }
 
 void write_off(std::ostream& out, const OffFile& file) {
-  const std::vector<Point>& points = file.points.points;
+  const PointRows& points = file.points.points;
   const bool in_space = file.points.dimension == 3;
   std::string text = in_space ? "OFF\n" : "nOFF\n" + std::to_string(file.points.dimension) + "\n";
   text +=

@@ -11,6 +11,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/same_values_test.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {
@@ -204,11 +205,12 @@ TEST_CASE("all doubles, as they are written here and elsewhere") {
     file.first_index = *rc::gen::inRange(-3, 1000);
     if (count == 0) file.first_index = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      Point& point = file.points.emplace_back();
+      Point point;
       for (int j = 0; j < 3; ++j) {
         const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
         point.push_back(exact_value(std::isfinite(value) ? value : 0.5));
       }
+      file.points.push_back(point);
     }
     std::ostringstream out;
     write_node(out, file);

@@ -6,6 +6,7 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/same_values_test.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {

@@ -85,7 +85,7 @@ bool read_plain_faces(const std::string& ele, MeshFile& read) {
     Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
     if (!file) return false;
     add_markers(*file, mesh.first_index, read.face_markers);
-    for (Simplex& face : file->simplices) {
+    for (Simplex face : file->simplices) {
       for (Vertex& v : face) {
         if (__builtin_sub_overflow(v, mesh.first_index, &v)) return false;
       }

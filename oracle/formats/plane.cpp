@@ -67,13 +67,17 @@ std::string note_of_height(const std::string& points_name, const Rational& heigh
          " for all points, was left out";
 }
 
-bool needs_space(const std::vector<Simplex>& simplices, std::size_t vertices,
-                 const std::vector<Simplex>& faces) {
-  const auto has = [](const std::vector<Simplex>& some, std::size_t size) {
-    return std::any_of(some.begin(), some.end(),
-                       [size](const Simplex& simplex) { return simplex.size() >= size; });
-  };
-  return vertices > 3 || has(simplices, 4) || (simplices.empty() && has(faces, 3));
+bool needs_space(const SimplexFile& file, const std::vector<Simplex>& faces) {
+  if (file.vertices_per_simplex > 3) return true;
+  const SimplexRows& simplices = file.simplices;
+  if (simplices.empty()) {
+    return std::any_of(faces.begin(), faces.end(),
+                       [](const Simplex& face) { return face.size() >= 3; });
+  }
+  for (std::size_t i = 0; simplices.columns() == 0 && i < simplices.size(); ++i) {
+    if (simplices.size_of(i) >= 4) return true;
+  }
+  return simplices.columns() >= 4;
 }
 
 std::optional<DomainFile> in_plane(const DomainFile& file) {

@@ -31,11 +31,9 @@ void put_back_height(Mesh& mesh, const Rational& height);
 
 std::string note_of_height(const std::string& points_name, const Rational& height);
 
-// Does a mesh of these simplices need space, wherever its points are? `vertices`: the number for
-// each simplex, if the file states it without listing simplices, as TetGen does for a mesh that has
-// only faces.
-bool needs_space(const std::vector<Simplex>& simplices, std::size_t vertices,
-                 const std::vector<Simplex>& faces);
+// Does a mesh of these simplices need space, wherever its points are? A file may state how many
+// vertices each simplex has without listing any, as TetGen does for a mesh that has only faces.
+bool needs_space(const SimplexFile& simplices, const std::vector<Simplex>& faces);
 
 // The same domain in the plane: the edges of its polygons are segments, each once, and its polygons
 // are its faces. Nothing if it has to stay in space. Adds no note.

@@ -5,6 +5,7 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/flat_square_test.hpp"
+#include "oracle/formats/read_domain.hpp"
 #include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {

@@ -1,6 +1,8 @@
 #include "oracle/formats/ply.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
@@ -14,13 +16,14 @@ using Kind = PlyType::Kind;
 class PlyRows {
  public:
   virtual ~PlyRows() = default;
-  // Goes to a row; an error if the file has ended. `what` names it.
-  virtual Status begin_row(const std::string& what) = 0;
+  // Goes to a row; an error if the file has ended. `what` names it, and outlives the row.
+  virtual Status begin_row(const Item& what) = 0;
   virtual Status end_row() = 0;
   virtual Result<std::size_t> read_count(PlyType type) = 0;
   virtual Status skip(PlyType type, std::size_t count) = 0;
   virtual Result<Vertex> read_index(PlyType type) = 0;
-  virtual Result<Rational> read_number(PlyType type) = 0;
+  virtual Status read_number(PlyType type, Rational& to) = 0;
+  virtual Status add_number(PlyType type, PointRows& to) = 0;
   virtual std::size_t line() const = 0;
   virtual Status expect_end() = 0;
 };
@@ -29,10 +32,10 @@ class TextRows final : public PlyRows {
  public:
   TextRows(Lines& lines, NumberReading reading) : lines_(lines), reading_(reading) {}
 
-  Status begin_row(const std::string& what) override {
+  Status begin_row(const Item& what) override {
     column_ = 0;
     if (lines_.next()) return {};
-    return lines_.fail(what, "the end of the file");
+    return lines_.fail(what.words(), "the end of the file");
   }
   Status end_row() override {
     if (column_ == lines_.size()) return {};
@@ -51,11 +54,22 @@ class TextRows final : public PlyRows {
   }
   Result<Vertex> read_index(PlyType) override {
     if (column_ == lines_.size()) return lines_.fail_at(column_, "a vertex");
+    if (const auto plain = lines_.plain_integer(column_)) {
+      ++column_;
+      return *plain;
+    }
     return lines_.integer(column_++, "a vertex");
   }
-  Result<Rational> read_number(PlyType) override {
+  Status read_number(PlyType, Rational& to) override {
     if (column_ == lines_.size()) return lines_.fail_at(column_, "a coordinate");
-    return lines_.number(column_++, reading_);
+    Result<Rational> number = lines_.number(column_++, reading_);
+    if (!number) return tl::unexpected(number.error());
+    to = std::move(*number);
+    return {};
+  }
+  Status add_number(PlyType, PointRows& to) override {
+    if (column_ == lines_.size()) return lines_.fail_at(column_, "a coordinate");
+    return lines_.add_numbers(column_++, 1, reading_, to);
   }
   std::size_t line() const override { return lines_.line(); }
   Status expect_end() override {
@@ -75,7 +89,7 @@ class BinaryRows final : public PlyRows {
   BinaryRows(std::string name, Bytes bytes, std::size_t end)
       : name_(std::move(name)), bytes_(bytes), end_(end) {}
 
-  Status begin_row(const std::string& what) override {
+  Status begin_row(const Item& what) override {
     what_ = what;
     go_on();
     if (bytes_.left() == 0) return ended();
@@ -85,7 +99,8 @@ class BinaryRows final : public PlyRows {
   Result<std::size_t> read_count(PlyType type) override {
     const Result<Vertex> count = read_index(type);
     if (!count) return tl::unexpected(count.error());
-    if (*count < 0) return fail("a list of 0 or more values in " + what_, std::to_string(*count));
+    if (*count < 0)
+      return fail("a list of 0 or more values in " + what_.words(), std::to_string(*count));
     return count_of(*count);
   }
   Status skip(PlyType type, std::size_t count) override {
@@ -101,18 +116,29 @@ class BinaryRows final : public PlyRows {
     if (!bits) return ended();
     return type.kind == Kind::kSigned ? as_signed(*bits, type.size) : static_cast<Vertex>(*bits);
   }
-  Result<Rational> read_number(PlyType type) override {
+  Status read_number(PlyType type, Rational& to) override {
     if (type.kind != Kind::kFloating) {
       const Result<Vertex> value = read_index(type);
       if (!value) return tl::unexpected(value.error());
-      return Rational(to_integer(*value));
+      to = Rational(to_integer(*value));
+      return {};
     }
-    go_on();
-    const auto bits = bytes_.unsigned_integer(type.size);
-    if (!bits) return ended();
-    const auto value = as_floating(*bits, type.size);
-    if (!value) return fail("finite coordinates of " + what_, "NaN or an infinity");
-    return *value;
+    double number = 0;
+    Status read = read_floating(type, number);
+    if (read) to = exact_value(number);
+    return read;
+  }
+  Status add_number(PlyType type, PointRows& to) override {
+    double number = 0;
+    if (type.kind == Kind::kFloating) {
+      Status read = read_floating(type, number);
+      if (read) to.add(number);
+      return read;
+    }
+    Rational exact;
+    Status read = read_number(type, exact);
+    if (read) to.add(std::move(exact));
+    return read;
   }
   std::size_t line() const override { return 0; }
   Status expect_end() override {
@@ -123,18 +149,27 @@ class BinaryRows final : public PlyRows {
   }
 
  private:
+  // A finite number, and not −0.
+  Status read_floating(PlyType type, double& number) {
+    go_on();
+    const auto bits = bytes_.unsigned_integer(type.size);
+    if (!bits) return ended();
+    number = as_double(*bits, type.size) + 0.0;
+    if (std::isfinite(number)) return {};
+    return fail("finite coordinates of " + what_.words(), "NaN or an infinity");
+  }
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const {
     return tl::unexpected(
         FormatError{name_, 0, std::move(expected), found + " at byte " + std::to_string(at_)});
   }
   void go_on() { at_ = end_ - bytes_.left(); }
-  tl::unexpected<FormatError> ended() const { return fail(what_, "the end of the file"); }
+  tl::unexpected<FormatError> ended() const { return fail(what_.words(), "the end of the file"); }
 
   std::string name_;
   Bytes bytes_;
   std::size_t end_;
   std::size_t at_ = 0;  // where what is read next, or was read last, begins
-  std::string what_;
+  Item what_ = "";
 };
 
 Status skip_property(PlyRows& rows, const PlyProperty& property) {
@@ -150,8 +185,7 @@ Status for_each_row(PlyRows& rows, const PlyElement& element, const Read& read) 
   const bool is_known = element.name == "vertex" || element.name == "face";
   const std::string noun = is_known ? element.name : "element " + quote(element.name);
   for (std::size_t i = 0; i < element.count; ++i) {
-    Status status =
-        rows.begin_row(noun + " " + std::to_string(i + 1) + " of " + std::to_string(element.count));
+    Status status = rows.begin_row({"", noun, i, element.count});
     for (std::size_t j = 0; status && j < element.properties.size(); ++j) {
       const Result<bool> was_read = read(j);
       if (!was_read) return tl::unexpected(was_read.error());
@@ -163,35 +197,42 @@ Status for_each_row(PlyRows& rows, const PlyElement& element, const Read& read) 
   return {};
 }
 
-Status read_points(PlyRows& rows, const PlyElement& element, std::vector<Point>& points) {
+Status read_points(PlyRows& rows, const PlyElement& element, PointRows& points) {
   const std::array<std::size_t, 3> places = {*element.find("x", false), *element.find("y", false),
                                              *element.find("z", false)};
+  // Usually the coordinates come in their order, and need no place of their own.
+  const bool are_in_order = places[0] < places[1] && places[1] < places[2];
+  Point point(3);
+  points.set_columns(3);
   return for_each_row(rows, element, [&](std::size_t j) -> Result<bool> {
-    if (j == 0) points.emplace_back(3);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (places[axis] != j) continue;
-      Result<Rational> number = rows.read_number(element.properties[j].type);
+    const auto* const found = std::find(places.begin(), places.end(), j);
+    if (found != places.end()) {
+      const PlyType type = element.properties[j].type;
+      const Status number =
+          are_in_order
+              ? rows.add_number(type, points)
+              : rows.read_number(type, point[static_cast<std::size_t>(found - places.begin())]);
       if (!number) return tl::unexpected(number.error());
-      points.back()[axis] = std::move(*number);
-      return true;
     }
-    return false;
+    if (!are_in_order && j + 1 == element.properties.size()) points.push_back(point);
+    return found != places.end();
   });
 }
 
 Status read_faces(PlyRows& rows, const PlyElement& element, std::size_t place, SimplexFile& faces) {
   const PlyProperty& list = element.properties[place];
+  Simplex face;
   return for_each_row(rows, element, [&](std::size_t j) -> Result<bool> {
     if (j != place) return false;
     const Result<std::size_t> count = rows.read_count(*list.count);
     if (!count) return tl::unexpected(count.error());
-    Simplex face;
+    face.clear();
     while (face.size() < *count) {
       const Result<Vertex> index = rows.read_index(list.type);
       if (!index) return tl::unexpected(index.error());
       face.push_back(*index);
     }
-    faces.simplices.push_back(std::move(face));
+    faces.simplices.push_back(face);
     faces.lines.push_back(rows.line());
     return true;
   });
@@ -243,7 +284,7 @@ Result<PlyFile> read_ply_body(PlyRows& rows, const PlyHeader& header) {
     if (!status) return tl::unexpected(status.error());
   }
   if (Status end = rows.expect_end(); !end) return tl::unexpected(end.error());
-  file.faces.vertices_per_simplex = size_of_each(file.faces.simplices);
+  file.faces.vertices_per_simplex = file.faces.simplices.columns();
   return file;
 }
 
@@ -285,12 +326,18 @@ Result<ElementFile> read_ply_elements(const Source& source, NumberReading readin
   if (!ply) return tl::unexpected(ply.error());
   ElementFile file;
   file.points = std::move(ply->points);
+  if (ply->faces.simplices.columns() == 3) {
+    file.triangles = std::move(ply->faces);
+    finish_elements(file);
+    return file;
+  }
   for (std::size_t i = 0; i < ply->faces.simplices.size(); ++i) {
-    Simplex& face = ply->faces.simplices[i];
+    const Simplex face = ply->faces.simplices[i];
     const std::size_t size = face.size();
-    const std::string name = "a face of " + std::to_string(size) + " vertices";
+    std::string name;
+    if (size != 3) name = "a face of " + std::to_string(size) + " vertices";
     const std::size_t line = ply->faces.lines[i];
-    const auto fault = add_element(file, ElementShape::kPolygon, std::move(face), name, line);
+    const auto fault = add_element(file, ElementShape::kPolygon, face, name, line);
     if (!fault) continue;
     return tl::unexpected(
         FormatError{source.name, line, "a face of 3 vertices or more", std::to_string(size)});
@@ -312,7 +359,7 @@ Result<DomainFile> read_ply(const Source& source, NumberReading reading) {
 
 void write_ply(std::ostream& out, const ElementFile& file) {
   const std::vector<Simplex> surface = surface_of(file);
-  const std::vector<Simplex>& edges = file.edges.simplices;
+  const SimplexRows& edges = file.edges.simplices;
   out << "ply\nformat ascii 1.0\nelement vertex " + std::to_string(file.points.points.size()) +
              "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
              std::to_string(surface.size()) + "\nproperty list uchar int vertex_indices\n";

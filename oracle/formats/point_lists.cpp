@@ -1,10 +1,11 @@
+#include "oracle/formats/point_lists.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <optional>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
 
@@ -168,9 +169,9 @@ Result<PointFile> read_xyz(const Source& source, NumberReading reading) {
       return lines.fail(std::to_string(file.dimension) + " coordinates, as on the first line",
                         std::to_string(lines.size()));
     }
-    Result<Point> point = lines.numbers(0, lines.size(), reading);
+    file.points.set_columns(file.dimension);
+    const Status point = lines.add_numbers(0, lines.size(), reading, file.points);
     if (!point) return tl::unexpected(point.error());
-    file.points.push_back(std::move(*point));
   }
   if (!file.points.empty()) return file;
   return lines.fail_at(0, "a line of coordinates for each point");
@@ -178,90 +179,6 @@ Result<PointFile> read_xyz(const Source& source, NumberReading reading) {
 
 Result<PointFile> read_csv(const Source& source, NumberReading reading) {
   return CsvReader(source, reading).read();
-}
-
-// ---- Qhull ----
-
-namespace {
-
-// A line that holds only a count.
-Result<std::size_t> read_count(Lines& lines, const std::string& what) {
-  if (!lines.next()) return lines.fail_at(0, what);
-  const Result<std::size_t> count = lines.count(0, what);
-  if (!count) return count;
-  if (lines.size() > 1) return lines.fail_at(1, "the end of the line after " + what);
-  return count;
-}
-
-// The first line: the dimension, and perhaps a comment.
-Result<std::size_t> read_dimension(Lines& lines) {
-  if (!lines.next()) return lines.fail_at(0, "the dimension");
-  const Result<std::size_t> dimension = lines.count(0, "the dimension");
-  if (!dimension) return dimension;
-  if (*dimension < 1 || *dimension > kLargestDimension) {
-    return lines.fail_at(0, "a dimension from 1 to " + std::to_string(kLargestDimension));
-  }
-  return dimension;
-}
-
-Result<Point> read_point(const Lines& lines, std::size_t dimension, NumberReading reading) {
-  if (lines.size() != dimension) {
-    return lines.fail(std::to_string(dimension) + " coordinates", std::to_string(lines.size()));
-  }
-  return lines.numbers(0, dimension, reading);
-}
-
-}  // namespace
-
-Result<PointFile> read_qhull_points(const Source& source, NumberReading reading) {
-  Lines lines(source);
-  const Result<std::size_t> dimension = read_dimension(lines);
-  if (!dimension) return tl::unexpected(dimension.error());
-  const Result<std::size_t> count = read_count(lines, "the number of points");
-  if (!count) return tl::unexpected(count.error());
-  PointFile file;
-  file.dimension = *dimension;
-  for (std::size_t i = 0; i < *count; ++i) {
-    if (!lines.next()) {
-      return lines.fail("point " + std::to_string(i + 1) + " of " + std::to_string(*count),
-                        "the end of the file");
-    }
-    Result<Point> point = read_point(lines, *dimension, reading);
-    if (!point) return tl::unexpected(point.error());
-    file.points.push_back(std::move(*point));
-  }
-  if (lines.next()) return lines.fail_at(0, "the end of the file after the last point");
-  return file;
-}
-
-Result<SimplexFile> read_qhull_simplices(const Source& source) {
-  Lines lines(source);
-  const Result<std::size_t> count = read_count(lines, "the number of facets");
-  if (!count) return tl::unexpected(count.error());
-  SimplexFile file;
-  for (std::size_t i = 0; i < *count; ++i) {
-    if (!lines.next()) {
-      return lines.fail("facet " + std::to_string(i + 1) + " of " + std::to_string(*count),
-                        "the end of the file");
-    }
-    Result<Simplex> simplex = lines.integers(0, lines.size(), "a vertex");
-    if (!simplex) return tl::unexpected(simplex.error());
-    file.simplices.push_back(std::move(*simplex));
-    file.lines.push_back(lines.line());
-  }
-  if (lines.next()) return lines.fail_at(0, "the end of the file after the last facet");
-  file.vertices_per_simplex = size_of_each(file.simplices);
-  return file;
-}
-
-void write_qhull_points(std::ostream& out, const PointFile& file) {
-  out << std::to_string(file.dimension) + "\n" + std::to_string(file.points.size()) + "\n";
-  for (const Point& point : file.points) out << joined(point) + "\n";
-}
-
-void write_qhull_simplices(std::ostream& out, const SimplexFile& file) {
-  out << std::to_string(file.simplices.size()) + "\n";
-  for (const Simplex& simplex : file.simplices) out << joined(simplex) + "\n";
 }
 
 }  // namespace circumspect::formats

@@ -1,3 +1,5 @@
+#include "oracle/formats/poly.hpp"
+
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/tetgen.hpp"
 

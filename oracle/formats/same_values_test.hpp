@@ -45,7 +45,7 @@ inline Answer answer_to_node(const std::string& text, const PlainReading& readin
   const auto file = read_node({"f", text}, NumberReading::kDouble);
   if (!file || file->first_index != plain->first_index) return Answer::kOther;
   const bool same = plain->coordinates.columns() == file->dimension &&
-                    has_same_rows(plain->coordinates, file->points) &&
+                    has_same_rows(plain->coordinates, file->points.points()) &&
                     has_same_rows(plain->weights, file->attributes);
   return same ? Answer::kSame : Answer::kOther;
 }
@@ -57,7 +57,7 @@ inline Answer answer_to_ele(const std::string& text, Vertex first_point,
   const auto file = read_ele({"f", text});
   if (!file || file->first_index != plain->first_index) return Answer::kOther;
   const bool same = plain->rows.columns() == file->vertices_per_simplex &&
-                    has_same_rows(plain->rows, file->simplices, first_point);
+                    has_same_rows(plain->rows, file->simplices.lists(), first_point);
   return same ? Answer::kSame : Answer::kOther;
 }
 

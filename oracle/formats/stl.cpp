@@ -1,9 +1,10 @@
+#include "oracle/formats/stl.hpp"
+
 #include <array>
 #include <map>
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
-#include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -1,10 +1,12 @@
 // Surfaces and lines: OFF, STL, PLY and OBJ.
-#include "oracle/formats/surface_formats.hpp"
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/element_domain.hpp"
+#include "oracle/formats/obj.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/stl.hpp"
 
 namespace circumspect::formats {
 

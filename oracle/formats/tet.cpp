@@ -1,7 +1,8 @@
+#include "oracle/formats/tet.hpp"
+
 #include <algorithm>
 
 #include "oracle/formats/bytes/mixed_text.hpp"
-#include "oracle/formats/element_formats.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -53,19 +54,19 @@ bool has_bytes_of_no_text(std::string_view text) {
   });
 }
 
-Status read_tetrahedron(MixedText& text, const std::string& one, Simplex& vertices,
-                        std::size_t& line) {
+Status read_tetrahedron(MixedText& text, const Item& one, Simplex& vertices, std::size_t& line) {
   if (!text.is_binary()) {
-    const Result<std::size_t> size = text.count(kUint32, "the number of vertices of " + one);
-    if (!size) return tl::unexpected(size.error());
-    if (*size != 4) return text.fail_at_word("4, the number of vertices of " + one);
+    const Item of_size = {"the number of vertices of ", one.noun, one.place, one.count};
+    const Vertex size = text.take(kUint32, of_size);
+    if (text.has_failed()) return text.failure();
+    if (size < 0) return text.fail(of_size.words() + ", 0 or more", std::to_string(size));
+    if (size != 4) return text.fail_at_word("4, " + of_size.words());
   }
   line = text.line();
-  while (vertices.size() < 4) {
-    const Result<Vertex> vertex = text.integer(kUint32, "a vertex of " + one);
-    if (!vertex) return tl::unexpected(vertex.error());
-    vertices.push_back(*vertex);
+  for (Vertex& vertex : vertices) {
+    vertex = text.take(kUint32, {"a vertex of ", one.noun, one.place, one.count});
   }
+  if (text.has_failed()) return text.failure();
   return {};
 }
 
@@ -81,29 +82,23 @@ Result<ElementFile> read_tet(const Source& source, NumberReading reading) {
   }
   ElementFile file;
   file.points.dimension = 3;
-  for (std::size_t i = 0; i < counts->vertices; ++i) {
-    const std::string what = "a coordinate of vertex " + std::to_string(i + 1) + " of " +
-                             std::to_string(counts->vertices);
-    Point point;
-    while (point.size() < 3) {
-      Result<Rational> number = text.number(kFloat64, what);
-      if (!number) return tl::unexpected(number.error());
-      point.push_back(std::move(*number));
-    }
-    file.points.points.push_back(std::move(point));
-  }
-  const auto read = [&](std::size_t count, const std::string& kind, bool is_kept) -> Status {
+  file.points.points.set_columns(3);
+  Status status =
+      text.points(kFloat64, counts->vertices, {"a coordinate of ", "vertex", 0, counts->vertices},
+                  file.points.points);
+  if (!status) return tl::unexpected(status.error());
+  const auto read = [&](std::size_t count, std::string_view kind, bool is_kept) -> Status {
+    Simplex vertices(4);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string one = kind + " " + std::to_string(i + 1) + " of " + std::to_string(count);
-      Simplex vertices;
       std::size_t line = 0;
-      if (Status status = read_tetrahedron(text, one, vertices, line); !status) return status;
+      Status one = read_tetrahedron(text, {"", kind, i, count}, vertices, line);
+      if (!one) return one;
       if (!is_kept) continue;
-      add_element(file, ElementShape::kTetrahedron, std::move(vertices), "a tetrahedron", line);
+      add_element(file, ElementShape::kTetrahedron, vertices, "a tetrahedron", line);
     }
     return {};
   };
-  Status status = read(counts->tetrahedra, "tetrahedron", true);
+  status = read(counts->tetrahedra, "tetrahedron", true);
   if (status) status = read(counts->outer, "outer tetrahedron", false);
   if (!status) return tl::unexpected(status.error());
   if (!text.is_at_end()) {

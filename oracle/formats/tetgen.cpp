@@ -48,9 +48,8 @@ std::string columns_in_words(const NodeHeader& header) {
 
 Status read_point(const Lines& lines, const NodeHeader& header, NumberReading reading,
                   PointFile& file) {
-  Result<Point> point = lines.numbers(1, header.dimension, reading);
-  if (!point) return tl::unexpected(std::move(point.error()));
-  file.points.push_back(std::move(*point));
+  const Status point = lines.add_numbers(1, header.dimension, reading, file.points);
+  if (!point) return point;
   if (header.attributes > 0) {
     Result<std::vector<Rational>> row =
         lines.numbers(1 + header.dimension, header.attributes, reading);
@@ -72,6 +71,7 @@ Result<PointFile> read_list(NumberedLines& numbered, NumberReading reading, bool
                           columns_in_words(*header));
   PointFile file;
   file.dimension = header->dimension;
+  if (header->dimension > 0) file.points.set_columns(header->dimension);
   file.points.reserve(numbered.lines_at_most());
   while (true) {
     const Result<bool> more = numbered.next_in_list();
@@ -160,18 +160,18 @@ Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
   numbered.expect_columns(1 + k + header->attributes, std::move(meaning));
   SimplexFile file;
   file.vertices_per_simplex = k;
-  file.simplices.reserve(numbered.lines_at_most());
-  file.lines.reserve(numbered.lines_at_most());
+  if (k <= numbered.lines().bytes_left()) file.simplices.reserve(numbered.lines_at_most() * k);
+  Simplex simplex;
   const Lines& lines = numbered.lines();
   while (true) {
     const Result<bool> more = numbered.next();
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
-    Result<Simplex> simplex = lines.integers(1, k, "a vertex");
-    if (!simplex) return tl::unexpected(simplex.error());
+    const Status vertices = lines.integers(1, k, "a vertex", simplex);
+    if (!vertices) return tl::unexpected(vertices.error());
     const Status attributes = read_attributes(lines, 1 + k, header->attributes, reading, file);
     if (!attributes) return tl::unexpected(attributes.error());
-    file.simplices.push_back(std::move(*simplex));
+    file.simplices.push_back(simplex);
     file.lines.push_back(lines.line());
   }
   file.first_index = numbered.first_index();
@@ -181,7 +181,7 @@ Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
 void write_ele(std::ostream& out, const SimplexFile& file) {
   out << std::to_string(file.simplices.size()) + " " + std::to_string(file.vertices_per_simplex) +
              " 0\n";
-  write_numbered(out, file.first_index, file.simplices);
+  write_numbered(out, file.first_index, file.simplices.lists());
 }
 
 // ---- .face and .edge ----
@@ -238,7 +238,7 @@ Result<SimplexFile> read_face(const Source& source, std::size_t vertices) {
     const auto rest =
         lines.integers(1 + vertices, lines.size() - 1 - vertices, "a marker or a tetrahedron");
     if (!rest) return tl::unexpected(rest.error());
-    file.simplices.push_back(std::move(*simplex));
+    file.simplices.push_back(*simplex);
     if (*markers == 1) file.labels.push_back(rest->front());
     file.lines.push_back(lines.line());
   }
@@ -257,7 +257,7 @@ void add_markers(const SimplexFile& file, Vertex first_index, std::map<Simplex, 
 
 void write_face(std::ostream& out, const SimplexFile& file) {
   out << std::to_string(file.simplices.size()) + " 0\n";
-  write_numbered(out, file.first_index, file.simplices);
+  write_numbered(out, file.first_index, file.simplices.lists());
 }
 
 // ---- .neigh ----

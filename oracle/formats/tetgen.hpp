@@ -2,7 +2,6 @@
 // list.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -13,7 +12,6 @@
 #include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
-#include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
@@ -99,32 +97,5 @@ Result<NeighborFile> read_neigh(const Source& source,
 
 // Requires: every simplex has neighbors_per_simplex neighbours, at least 1.
 void write_neigh(std::ostream& out, const NeighborFile& file);
-
-// ---- Piecewise linear complexes ----
-// Piecewise linear complexes as Triangle and TetGen write them: .poly, and TetGen's .smesh.
-//
-//     points dimension [attributes [markers]]     points as in a .node file; 0: they are in one
-//     segments [markers]                          in the plane
-//     index v0 v1 [marker]
-//     facets [markers]                            in space, .poly
-//     polygons [holes [marker]]                   for each facet, then its polygons and its holes:
-//     corners v0 … v(corners-1)                     they may go on over several lines
-//     index x y z                                   a point in each hole of the facet
-//     facets [markers]                            in space, .smesh: facets of one polygon each
-//     corners v0 … v(corners-1) [marker]
-//     holes                                       then a line "index x y [z]" for each
-//     regions                                     may be missing; "index x y [z] attribute [bound]"
-//
-// A polygon of two corners is a segment, one of one corner an isolated vertex. Attributes, markers
-// and regions are checked and otherwise ignored. TetGen reads a file that ends before the holes, so
-// that in space their list may be missing too; this is noted.
-
-// Reads the points that are not in the file itself.
-using PointsElsewhere = std::function<Result<PointFile>()>;
-
-Result<DomainFile> read_poly(const Source& source, NumberReading reading,
-                             const PointsElsewhere& points_elsewhere);
-Result<DomainFile> read_smesh(const Source& source, NumberReading reading,
-                              const PointsElsewhere& points_elsewhere);
 
 }  // namespace circumspect::formats

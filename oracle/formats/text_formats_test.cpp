@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/off.hpp"
 #include "oracle/formats/point_file.hpp"
+#include "oracle/formats/point_lists.hpp"
+#include "oracle/formats/qhull.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {

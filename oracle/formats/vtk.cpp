@@ -1,106 +1,12 @@
 #include "oracle/formats/vtk.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 
 #include "oracle/formats/bytes/mixed_text.hpp"
+#include "oracle/formats/vtk_cells.hpp"
 
 namespace circumspect::formats {
-
-namespace {
-
-constexpr std::array kVtkTypes = {
-    ElementType{1, 1, ElementShape::kPoint, "a vertex"},
-    ElementType{2, 0, ElementShape::kPoint, "a list of vertices"},
-    ElementType{3, 2, ElementShape::kPolyline, "an edge"},
-    ElementType{4, 0, ElementShape::kPolyline, "a polyline"},
-    ElementType{5, 3, ElementShape::kPolygon, "a triangle"},
-    ElementType{6, 0, ElementShape::kStrip, "a strip of triangles"},
-    ElementType{7, 0, ElementShape::kPolygon, "a polygon"},
-    ElementType{8, 4, ElementShape::kPixel, "a pixel"},
-    ElementType{9, 4, ElementShape::kPolygon, "a quadrilateral"},
-    ElementType{10, 4, ElementShape::kTetrahedron, "a tetrahedron"},
-    ElementType{11, 8, ElementShape::kOtherSolid, "a voxel"},
-    ElementType{12, 8, ElementShape::kOtherSolid, "a hexahedron"},
-    ElementType{13, 6, ElementShape::kOtherSolid, "a prism"},
-    ElementType{14, 5, ElementShape::kOtherSolid, "a pyramid"},
-    ElementType{15, 10, ElementShape::kOtherSolid, "a pentagonal prism"},
-    ElementType{16, 12, ElementShape::kOtherSolid, "a hexagonal prism"},
-    ElementType{42, 0, ElementShape::kOtherSolid, "a polyhedron"},
-};
-constexpr Vertex kFirstCurved = 21;  // and all later ones except the polyhedron
-constexpr Vertex kLastCurved = 81;
-
-}  // namespace
-
-std::optional<std::string> add_vtk_cell(ElementFile& file, Vertex type, Simplex vertices,
-                                        std::size_t line) {
-  const auto* const found = std::find_if(kVtkTypes.begin(), kVtkTypes.end(),
-                                         [&](const ElementType& one) { return one.code == type; });
-  if (found == kVtkTypes.end()) {
-    if (type < kFirstCurved || type > kLastCurved) return "a type of cells that VTK knows";
-    return add_element(file, ElementShape::kCurved, std::move(vertices),
-                       "a cell of second order or more", line);
-  }
-  if (found->vertices != 0 && vertices.size() != found->vertices) {
-    return std::string(found->name) + " of " + std::to_string(found->vertices) + " vertices";
-  }
-  return add_element(file, found->shape, std::move(vertices), found->name, line);
-}
-
-Result<VtkCells> cells_of(const MixedText& text, const std::vector<Vertex>& offsets,
-                          const std::vector<Vertex>& connectivity, std::size_t line) {
-  VtkCells cells;
-  Vertex begin = 0;
-  for (const Vertex end : offsets) {
-    if (end < begin || end > static_cast<Vertex>(connectivity.size())) {
-      return tl::unexpected(FormatError{
-          text.name(), line,
-          "an offset from " + std::to_string(begin) + " to " + std::to_string(connectivity.size()),
-          std::to_string(end)});
-    }
-    cells.vertices.emplace_back(connectivity.begin() + begin, connectivity.begin() + end);
-    cells.lines.push_back(line);
-    begin = end;
-  }
-  if (begin == static_cast<Vertex>(connectivity.size())) return cells;
-  return tl::unexpected(FormatError{text.name(), line,
-                                    "offsets up to " + std::to_string(connectivity.size()) +
-                                        ", the end of "
-                                        "the vertices of cells",
-                                    std::to_string(begin)});
-}
-
-Status read_vtk_points(MixedText& text, NumberType type, std::size_t count,
-                       std::vector<Point>& points) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string what =
-        "a coordinate of point " + std::to_string(i + 1) + " of " + std::to_string(count);
-    Point point;
-    while (point.size() < 3) {
-      Result<Rational> number = text.number(type, what);
-      if (!number) return tl::unexpected(number.error());
-      point.push_back(std::move(*number));
-    }
-    points.push_back(std::move(point));
-  }
-  return {};
-}
-
-Result<std::vector<Vertex>> read_vtk_integers(MixedText& text, NumberType type, std::size_t count,
-                                              const std::string& what) {
-  std::vector<Vertex> values;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Result<Vertex> value = text.integer(type, what);
-    if (!value) return tl::unexpected(value.error());
-    values.push_back(*value);
-  }
-  return values;
-}
-
-// ---- VTK ----
 
 namespace {
 
@@ -137,7 +43,8 @@ class VtkReader {
   Status read_points();
   Result<VtkCells> read_cells();
   Result<VtkCells> read_rows(std::size_t count, std::size_t size);
-  Result<std::vector<Vertex>> read_array(std::string_view keyword, std::size_t count);
+  Result<Indices> read_array(std::string_view keyword, std::size_t count);
+  std::optional<VtkCells> read_stored_rows(std::size_t count, std::size_t size);
   Status read_list(Vertex type);
   Status read_types();
   Status skip_fields();
@@ -150,7 +57,7 @@ class VtkReader {
   bool is_binary_ = false;
   ElementFile file_;
   std::optional<VtkCells> cells_;  // of a grid
-  std::vector<Vertex> types_;
+  Indices types_;
   bool has_types_ = false;
 };
 
@@ -191,36 +98,73 @@ Status VtkReader::read_points() {
   const Result<NumberType> type = read_type();
   if (!type) return tl::unexpected(type.error());
   go_to_numbers();
-  return read_vtk_points(text_, *type, *count, file_.points.points);
+  return text_.points(*type, *count, {"a coordinate of ", "point", 0, *count}, file_.points.points);
+}
+
+// Rows as read_rows reads them, from binary numbers all at once; nothing if something is wrong with
+// them, and then nothing is read.
+std::optional<VtkCells> VtkReader::read_stored_rows(std::size_t count, std::size_t size) {
+  if (!text_.is_binary()) return std::nullopt;
+  MixedText text = text_;
+  Indices numbers;
+  if (!text.integers(kInt32, size, "", numbers)) return std::nullopt;
+  VtkCells cells;
+  cells.vertices.reserve(size - std::min(count, size));
+  Simplex vertices;
+  std::size_t at = 0;
+  for (; cells.vertices.size() < count && at < size;) {
+    const Vertex of_cell = numbers[at++];
+    if (of_cell < 0 || of_cell > static_cast<Vertex>(size - at)) return std::nullopt;
+    vertices.clear();
+    for (Vertex i = 0; i < of_cell; ++i) vertices.push_back(numbers[at++]);
+    cells.vertices.push_back(vertices);
+    cells.lines.push_back(0);
+  }
+  if (cells.vertices.size() < count || at < size) return std::nullopt;
+  text_ = std::move(text);
+  return cells;
 }
 
 // For each cell, the number of its vertices, then the vertices.
 Result<VtkCells> VtkReader::read_rows(std::size_t count, std::size_t size) {
   go_to_numbers();
+  if (auto stored = read_stored_rows(count, size)) return std::move(*stored);
   VtkCells cells;
+  Simplex vertices;
   std::size_t read = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string one = "cell " + std::to_string(i + 1) + " of " + std::to_string(count);
-    const Result<std::size_t> vertices = text_.count(kInt32, "the number of vertices of " + one);
-    if (!vertices) return tl::unexpected(vertices.error());
+    const Vertex of_cell = text_.take(kInt32, {"the number of vertices of ", "cell", i, count});
+    if (text_.has_failed()) return text_.failure();
+    if (of_cell < 0) {
+      return text_.fail(
+          Item{"the number of vertices of ", "cell", i, count}.words() + ", 0 or more",
+          std::to_string(of_cell));
+    }
     cells.lines.push_back(text_.line());
-    Result<std::vector<Vertex>> cell =
-        read_vtk_integers(text_, kInt32, *vertices, "a vertex of " + one);
-    if (!cell) return tl::unexpected(cell.error());
-    cells.vertices.push_back(std::move(*cell));
-    read += 1 + *vertices;
+    vertices.clear();
+    for (Vertex j = 0; j < of_cell && !text_.has_failed(); ++j) {
+      vertices.push_back(text_.take(kInt32, {"a vertex of ", "cell", i, count}));
+    }
+    if (text_.has_failed()) return text_.failure();
+    cells.vertices.push_back(vertices);
+    read += 1 + vertices.size();
   }
   if (read == size) return cells;
   return text_.fail(std::to_string(size) + " numbers of " + std::to_string(count) + " cells",
                     std::to_string(read));
 }
 
-Result<std::vector<Vertex>> VtkReader::read_array(std::string_view keyword, std::size_t count) {
+Result<Indices> VtkReader::read_array(std::string_view keyword, std::size_t count) {
   if (upper(text_.word()) != keyword) return text_.fail_at_word(std::string(keyword));
   const Result<NumberType> type = read_type();
   if (!type) return tl::unexpected(type.error());
   go_to_numbers();
-  return read_vtk_integers(text_, *type, count, "a number of " + std::string(keyword));
+  const std::string what = "a number of " + std::string(keyword);
+  Indices numbers;
+  if (Status read = text_.integers(*type, count, what, numbers); !read) {
+    return tl::unexpected(read.error());
+  }
+  return numbers;
 }
 
 Result<VtkCells> VtkReader::read_cells() {
@@ -231,26 +175,28 @@ Result<VtkCells> VtkReader::read_cells() {
   if (!has_offsets_) return read_rows(*count, *size);
   const std::size_t line = text_.line();
   if (*count == 0 && upper(text_.peek()) != "OFFSETS") return VtkCells{};
-  Result<std::vector<Vertex>> offsets = read_array("OFFSETS", *count);
+  const Result<Indices> offsets = read_array("OFFSETS", *count);
   if (!offsets) return tl::unexpected(offsets.error());
-  const Result<std::vector<Vertex>> vertices = read_array("CONNECTIVITY", *size);
+  Result<Indices> vertices = read_array("CONNECTIVITY", *size);
   if (!vertices) return tl::unexpected(vertices.error());
   // The first offset, 0, begins the first cell.
-  if (!offsets->empty() && offsets->front() != 0)
-    return text_.fail("the first offset 0", std::to_string(offsets->front()));
-  if (!offsets->empty()) offsets->erase(offsets->begin());
-  return cells_of(text_, *offsets, *vertices, line);
+  if (offsets->size() > 0 && (*offsets)[0] != 0) {
+    return text_.fail("the first offset 0", std::to_string((*offsets)[0]));
+  }
+  Indices ends;
+  for (std::size_t i = 1; i < offsets->size(); ++i) ends.push_back((*offsets)[i]);
+  return cells_of(text_, ends, std::move(*vertices), line);
 }
 
 Status VtkReader::read_list(Vertex type) {
   Result<VtkCells> cells = read_cells();
   if (!cells) return tl::unexpected(cells.error());
   for (std::size_t i = 0; i < cells->vertices.size(); ++i) {
-    const std::size_t size = cells->vertices[i].size();
-    const auto fault = add_vtk_cell(file_, type, std::move(cells->vertices[i]), cells->lines[i]);
+    const Simplex vertices = cells->vertices[i];
+    const auto fault = add_vtk_cell(file_, type, vertices, cells->lines[i]);
     if (!fault) continue;
-    return tl::unexpected(
-        FormatError{text_.name(), cells->lines[i], *fault, "one of " + std::to_string(size)});
+    return tl::unexpected(FormatError{text_.name(), cells->lines[i], *fault,
+                                      "one of " + std::to_string(vertices.size())});
   }
   return {};
 }
@@ -260,11 +206,8 @@ Status VtkReader::read_types() {
   if (!count) return tl::unexpected(count.error());
   has_types_ = true;
   go_to_numbers();
-  Result<std::vector<Vertex>> types =
-      read_vtk_integers(text_, kInt32, *count, "the type of a cell");
-  if (!types) return tl::unexpected(types.error());
-  types_ = std::move(*types);
-  return {};
+  types_ = {};
+  return text_.integers(kInt32, *count, "the type of a cell", types_);
 }
 
 // FIELD name n, then n times: name, components, tuples, type, numbers.
@@ -328,14 +271,15 @@ Status VtkReader::add_cells() {
     return text_.fail("as many CELL_TYPES as CELLS, " + std::to_string(count),
                       std::to_string(types_.size()));
   }
+  if (count > 0 && take_vtk_cells(file_, types_, *cells_)) return {};
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t size = cells_->vertices[i].size();
+    const Simplex vertices = cells_->vertices[i];
     const std::size_t line = cells_->lines[i];
-    const auto fault = add_vtk_cell(file_, types_[i], std::move(cells_->vertices[i]), line);
+    const auto fault = add_vtk_cell(file_, types_[i], vertices, line);
     if (!fault) continue;
-    return tl::unexpected(FormatError{
-        text_.name(), line, *fault,
-        "type " + std::to_string(types_[i]) + " of " + std::to_string(size) + " vertices"});
+    return tl::unexpected(FormatError{text_.name(), line, *fault,
+                                      "type " + std::to_string(types_[i]) + " of " +
+                                          std::to_string(vertices.size()) + " vertices"});
   }
   return {};
 }
@@ -349,6 +293,7 @@ Result<ElementFile> VtkReader::read() {
   }
   if (is_binary_) text_.set_binary(ByteOrder::kBigEndian);
   file_.points.dimension = 3;
+  file_.points.points.set_columns(3);
   while (true) {
     const std::string keyword = upper(text_.word());
     if (keyword.empty() || keyword == "CELL_DATA" || keyword == "POINT_DATA") break;

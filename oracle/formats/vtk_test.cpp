@@ -4,8 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/base64.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/vtu.hpp"
 #include "oracle/formats/vtu_arrays.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 

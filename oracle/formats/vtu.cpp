@@ -1,9 +1,10 @@
+#include "oracle/formats/vtu.hpp"
+
 #include <array>
 #include <utility>
 
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/vtk.hpp"
+#include "oracle/formats/vtk_cells.hpp"
 #include "oracle/formats/vtu_arrays.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
@@ -32,11 +33,10 @@ class VtuReader {
   Status read_points(pugi::xml_node piece, std::size_t count);
   // The array of that name among those of an element.
   Result<VtuDocument::Array> array(pugi::xml_node cells, const char* name) const;
-  Result<std::vector<Vertex>> integers(pugi::xml_node cells, const char* name,
-                                       std::size_t count) const;
+  Result<Indices> integers(pugi::xml_node cells, const char* name, std::size_t count) const;
   // Reads cells; `type` if all have it, else there is an array of types.
   Status read_cells(pugi::xml_node cells, std::size_t count, std::optional<Vertex> type);
-  Status add_cells(pugi::xml_node element, VtkCells cells, const std::vector<Vertex>& types);
+  Status add_cells(pugi::xml_node element, VtkCells cells, const Indices& types);
 
   std::unique_ptr<VtuDocument> document_;
   ElementFile file_;
@@ -64,7 +64,8 @@ Status VtuReader::read_points(pugi::xml_node piece, std::size_t count) {
   }
   Result<VtuDocument::Array> numbers = document_->array(node);
   if (!numbers) return tl::unexpected(numbers.error());
-  Status status = read_vtk_points(numbers->text, numbers->type, count, file_.points.points);
+  Status status = numbers->text.points(
+      numbers->type, count, {"a coordinate of ", "point", 0, count}, file_.points.points);
   if (status) status = expect_end_of(*numbers, "the points");
   return status;
 }
@@ -75,21 +76,23 @@ Result<VtuDocument::Array> VtuReader::array(pugi::xml_node cells, const char* na
   return document_->fail(cells, "a DataArray " + std::string(name), "none");
 }
 
-Result<std::vector<Vertex>> VtuReader::integers(pugi::xml_node cells, const char* name,
-                                                std::size_t count) const {
+Result<Indices> VtuReader::integers(pugi::xml_node cells, const char* name,
+                                    std::size_t count) const {
   Result<VtuDocument::Array> numbers = array(cells, name);
   if (!numbers) return tl::unexpected(numbers.error());
   const std::string what = "one of " + std::to_string(count) + " " + name;
-  auto values = read_vtk_integers(numbers->text, numbers->type, count, what);
-  if (!values) return values;
+  Indices values;
+  if (Status read = numbers->text.integers(numbers->type, count, what, values); !read) {
+    return tl::unexpected(read.error());
+  }
   if (Status end = expect_end_of(*numbers, name); !end) return tl::unexpected(end.error());
   return values;
 }
 
-Status VtuReader::add_cells(pugi::xml_node element, VtkCells cells,
-                            const std::vector<Vertex>& types) {
+Status VtuReader::add_cells(pugi::xml_node element, VtkCells cells, const Indices& types) {
+  if (!points_here_ && take_vtk_cells(file_, types, cells)) return {};
   for (std::size_t i = 0; i < cells.vertices.size(); ++i) {
-    Simplex& vertices = cells.vertices[i];
+    Simplex vertices = cells.vertices[i];
     const std::string which = " in cell " + std::to_string(i + 1);
     for (Vertex& v : vertices) {
       if (points_here_ && (v < 0 || v >= static_cast<Vertex>(*points_here_))) {
@@ -98,7 +101,7 @@ Status VtuReader::add_cells(pugi::xml_node element, VtkCells cells,
       v += points_here_ ? static_cast<Vertex>(points_before_) : 0;
     }
     const std::size_t size = vertices.size();
-    const auto fault = add_vtk_cell(file_, types[i], std::move(vertices), cells.lines[i]);
+    const auto fault = add_vtk_cell(file_, types[i], vertices, cells.lines[i]);
     if (!fault) continue;
     return document_->fail(
         element, *fault,
@@ -110,20 +113,22 @@ Status VtuReader::add_cells(pugi::xml_node element, VtkCells cells,
 Status VtuReader::read_cells(pugi::xml_node cells, std::size_t count, std::optional<Vertex> type) {
   if (count == 0) return {};
   if (!cells) return document_->fail(document_->root(), "an element of cells", "none");
-  const Result<std::vector<Vertex>> offsets = integers(cells, "offsets", count);
+  const Result<Indices> offsets = integers(cells, "offsets", count);
   if (!offsets) return tl::unexpected(offsets.error());
   const Vertex size = offsets->back();
   if (size < 0) return document_->fail(cells, "offsets of 0 or more", std::to_string(size));
-  const auto vertices = integers(cells, "connectivity", count_of(size));
+  Result<Indices> vertices = integers(cells, "connectivity", count_of(size));
   if (!vertices) return tl::unexpected(vertices.error());
-  std::vector<Vertex> types(type ? count : 0, type.value_or(0));
+  Indices types;
+  for (std::size_t i = 0; type && i < count; ++i) types.push_back(*type);
   if (!type) {
-    Result<std::vector<Vertex>> listed = integers(cells, "types", count);
+    Result<Indices> listed = integers(cells, "types", count);
     if (!listed) return tl::unexpected(listed.error());
     types = std::move(*listed);
   }
   const MixedText place(document_->name(), "", NumberReading::kDouble);
-  Result<VtkCells> lists = cells_of(place, *offsets, *vertices, document_->line_of(cells));
+  Result<VtkCells> lists =
+      cells_of(place, *offsets, std::move(*vertices), document_->line_of(cells));
   if (!lists) return tl::unexpected(lists.error());
   return add_cells(cells, std::move(*lists), types);
 }
@@ -160,6 +165,7 @@ Result<ElementFile> VtuReader::read() {
     return document_->fail(document_->root(), "an element " + type + " with a Piece", "none");
   }
   file_.points.dimension = 3;
+  file_.points.points.set_columns(3);
   const bool is_alone = !data.child("Piece").next_sibling("Piece");
   for (const pugi::xml_node piece : data.children("Piece")) {
     const Status read = read_piece(piece, type == "PolyData", is_alone);
@@ -185,7 +191,7 @@ Result<ElementFile> read_vtu(const Source& source, NumberReading reading) {
 }
 
 void write_vtu(std::ostream& out, const ElementFile& file) {
-  const std::vector<Point>& points = file.points.points;
+  const PointRows& points = file.points.points;
   const std::array<std::pair<const SimplexFile*, const char*>, 3> lists = {
       {{&file.edges, "3\n"}, {&file.triangles, "5\n"}, {&file.tetrahedra, "10\n"}}};
   std::string connectivity;
@@ -195,7 +201,7 @@ void write_vtu(std::ostream& out, const ElementFile& file) {
   std::size_t cells = 0;
   std::size_t end = 0;
   for (const auto& [list, type] : lists) {
-    for (const Vertex label : list->labels) labels += std::to_string(label) + "\n";
+    for (const Vertex label : list->labels.values()) labels += std::to_string(label) + "\n";
     for (Simplex vertices : list->simplices) {
       for (Vertex& v : vertices) v = place_of_index(v, file.points.first_index);
       end += vertices.size();

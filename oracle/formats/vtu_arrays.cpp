@@ -7,49 +7,12 @@
 
 #include <zlib.h>
 
+#include "oracle/formats/base64.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 
 namespace circumspect::formats {
 
 namespace {
-
-constexpr std::string_view kDigits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-}  // namespace
-
-std::optional<std::string> decode_base64(std::string_view text, std::size_t count) {
-  std::string bytes;
-  std::uint32_t group = 0;
-  int digits = 0;
-  int padding = 0;
-  for (const char c : text) {
-    if (bytes.size() >= count) break;
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-    const std::size_t value = c == '=' ? 0 : kDigits.find(c);
-    if (value == std::string_view::npos || (c != '=' && padding > 0)) return std::nullopt;
-    if (c == '=') ++padding;
-    group = group << 6U | static_cast<std::uint32_t>(value);
-    if (++digits < 4) continue;
-    if (padding > 2) return std::nullopt;
-    for (int i = 0; i < 3 - padding; ++i) {
-      bytes += static_cast<char>(
-          static_cast<unsigned char>(group >> (16U - 8U * static_cast<unsigned>(i))));
-    }
-    group = 0;
-    digits = 0;
-    padding = 0;
-  }
-  if (bytes.size() < count && digits != 0) return std::nullopt;
-  if (bytes.size() > count) bytes.resize(count);
-  return bytes;
-}
-
-// ---- VTU arrays ----
-
-namespace {
-
-constexpr std::string_view kAppended = "<AppendedData";
 
 // How many numbers a file may have: so many in any case, and more for each of its bytes. A number
 // has at least one byte. If zlib has packed them, the numbers of meshes take about two bytes each,
@@ -58,34 +21,9 @@ constexpr std::size_t kNumbersOfSmallFile = 100'000;
 constexpr std::size_t kNumbersPerByte = 1;
 constexpr std::size_t kNumbersPerPackedByte = 12;
 
-// The bytes that are not XML; if there are none, begin is the end of the text.
-struct Appended {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  std::size_t size() const { return end - begin; }
-};
-
-Appended find_appended(std::string_view text) {
-  const std::size_t element = text.find(kAppended);
-  const Appended none{text.size(), text.size()};
-  if (element == std::string_view::npos) return none;
-  const std::size_t tag_end = text.find('>', element);
-  const std::size_t begin = text.find('_', tag_end);
-  if (tag_end == std::string_view::npos || begin == std::string_view::npos) return none;
-  const std::size_t end = text.rfind("</AppendedData");
-  if (end == std::string_view::npos || end < begin) return {begin + 1, text.size()};  // cut off
-  return {begin + 1, end};
-}
-
 std::size_t line_at(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-}
-
-// The bytes from `begin` on, at most `count`.
-std::optional<std::string> first_bytes(std::string_view stored, bool is_base64, std::size_t count) {
-  if (is_base64) return decode_base64(stored, count);
-  return std::string(stored.substr(0, count));
 }
 
 }  // namespace
@@ -100,21 +38,15 @@ std::string_view trimmed(std::string_view text) {
 Result<std::unique_ptr<VtuDocument>> VtuDocument::parse(const Source& source,
                                                         NumberReading reading) {
   std::unique_ptr<VtuDocument> file(new VtuDocument(source, reading));
-  const std::string_view text = source.text;
-  const Appended appended = find_appended(text);
-  file->appended_ = text.substr(appended.begin, appended.size());
-  std::string without_bytes;
-  if (appended.size() > 0) {
-    without_bytes = source.text;
-    without_bytes.erase(appended.begin, appended.size());
-  }
-  const std::string& xml = appended.size() > 0 ? without_bytes : source.text;
+  file->skeleton_ = XmlSkeleton(source.text);
+  file->appended_ = file->skeleton_.appended();
+  const std::string& xml = file->skeleton_.text();
   const pugi::xml_parse_result parsed =
       file->document_.load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed) {
-    auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
-    if (offset >= appended.begin) offset += appended.size();
-    return tl::unexpected(FormatError{source.name, line_at(xml, offset), "XML",
+    const auto place = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
+    return tl::unexpected(FormatError{source.name,
+                                      line_at(source.text, file->skeleton_.in_file(place)), "XML",
                                       "a fault: " + std::string(parsed.description())});
   }
   if (Status attributes = file->read_attributes(); !attributes) {
@@ -125,7 +57,8 @@ Result<std::unique_ptr<VtuDocument>> VtuDocument::parse(const Source& source,
 
 std::size_t VtuDocument::line_of(pugi::xml_node node) const {
   const std::ptrdiff_t offset = node.offset_debug();
-  return offset < 0 ? 0 : line_at(source_.text, static_cast<std::size_t>(offset));
+  if (offset < 0) return 0;
+  return line_at(source_.text, skeleton_.in_file(static_cast<std::size_t>(offset)));
 }
 
 tl::unexpected<FormatError> VtuDocument::fail(pugi::xml_node node, std::string expected,
@@ -182,48 +115,58 @@ Status VtuDocument::take_numbers(pugi::xml_node node, std::size_t bytes, std::si
               "more, with this array (one that several pieces share counts for each of them)");
 }
 
+std::optional<VtuDocument::Stored> VtuDocument::first_bytes(std::string_view stored, bool is_base64,
+                                                            std::size_t count) {
+  if (!is_base64) return Stored{nullptr, stored.substr(0, count)};
+  std::optional<std::string> bytes = decode_base64(stored, count);
+  if (!bytes) return std::nullopt;
+  Stored decoded{std::make_unique<std::string>(std::move(*bytes))};
+  decoded.bytes = *decoded.own;
+  return decoded;
+}
+
 // After one length, so many bytes follow.
-Result<std::string> VtuDocument::decode(pugi::xml_node node, std::string_view stored,
-                                        bool is_base64, std::size_t bytes_each) {
+Result<VtuDocument::Stored> VtuDocument::decode(pugi::xml_node node, std::string_view stored,
+                                                bool is_base64, std::size_t bytes_each) {
   const auto head = first_bytes(stored, is_base64, size_of_lengths_);
   if (!head) return fail(node, "bytes in base 64", "other characters");
-  const auto length = Bytes(*head, order_).unsigned_integer(size_of_lengths_);
+  const auto length = Bytes(head->bytes, order_).unsigned_integer(size_of_lengths_);
   if (!length) return fail(node, "the number of bytes of the array", "the end of the data");
   const std::size_t most = stored.size();  // base 64 never holds more
   const Status taken = take_numbers(node, std::min<std::size_t>(*length, most), bytes_each);
   if (!taken) return tl::unexpected(taken.error());
-  auto bytes =
+  auto all =
       first_bytes(stored, is_base64, size_of_lengths_ + std::min<std::size_t>(*length, most));
-  if (!bytes) return fail(node, "bytes in base 64", "other characters");
-  if (bytes->size() - size_of_lengths_ < *length) {
+  if (!all) return fail(node, "bytes in base 64", "other characters");
+  all->bytes.remove_prefix(size_of_lengths_);
+  if (all->bytes.size() < *length) {
     return fail(node, std::to_string(*length) + " bytes of the array",
-                std::to_string(bytes->size() - size_of_lengths_));
+                std::to_string(all->bytes.size()));
   }
-  bytes->erase(0, size_of_lengths_);
-  return std::move(*bytes);
+  return std::move(*all);
 }
 
 // After the number of blocks: their size, the size of the last one, and the compressed size of
 // each.
-Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view stored,
-                                         bool is_base64, std::size_t bytes_each) {
+Result<VtuDocument::Stored> VtuDocument::inflate(pugi::xml_node node, std::string_view stored,
+                                                 bool is_base64, std::size_t bytes_each) {
   const std::size_t most = stored.size();  // base 64 never holds more
   const auto beginning = first_bytes(stored, is_base64, size_of_lengths_);
   if (!beginning) return fail(node, "bytes in base 64", "other characters");
-  const auto blocks = Bytes(*beginning, order_).unsigned_integer(size_of_lengths_);
+  const auto blocks = Bytes(beginning->bytes, order_).unsigned_integer(size_of_lengths_);
   if (!blocks) return fail(node, "the number of compressed blocks", "the end of the data");
-  if (*blocks == 0) return std::string();
+  if (*blocks == 0) return Stored{};
   if (*blocks > most / size_of_lengths_) {
     return fail(node, "compressed blocks", std::to_string(*blocks) + ", more than there are bytes");
   }
   const std::size_t head_size = (3 + *blocks) * size_of_lengths_;
   const auto head = first_bytes(stored, is_base64, head_size);
   if (!head) return fail(node, "bytes in base 64", "other characters");
-  if (head->size() < head_size) {
+  if (head->bytes.size() < head_size) {
     return fail(node, "the sizes of " + std::to_string(*blocks) + " compressed blocks",
                 "the end of the data");
   }
-  Bytes lengths(*head, order_);
+  Bytes lengths(head->bytes, order_);
   lengths.skip(size_of_lengths_);
   const std::size_t whole = *lengths.unsigned_integer(size_of_lengths_);
   const std::size_t last = *lengths.unsigned_integer(size_of_lengths_);
@@ -236,7 +179,7 @@ Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view s
   }
   const auto all = first_bytes(stored, is_base64, head_size + total);
   if (!all) return fail(node, "bytes in base 64", "other characters");
-  if (all->size() < head_size + total) {
+  if (all->bytes.size() < head_size + total) {
     return fail(node, "compressed blocks", "the end of the data");
   }
   const std::size_t of_last = last != 0 ? last : whole;
@@ -248,8 +191,9 @@ Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view s
   if (Status taken = take_numbers(node, all_made, bytes_each); !taken) {
     return tl::unexpected(taken.error());
   }
-  std::string_view rest = std::string_view(*all).substr(head_size);
-  std::string bytes;
+  std::string_view rest = all->bytes.substr(head_size);
+  Stored made_of{std::make_unique<std::string>()};
+  std::string& bytes = *made_of.own;
   for (std::size_t i = 0; i < *blocks; ++i) {
     const std::string block =
         "block " + std::to_string(i + 1) + " of " + std::to_string(*blocks) + ", compressed";
@@ -265,7 +209,8 @@ Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view s
     }
     rest.remove_prefix(size);
   }
-  return bytes;
+  made_of.bytes = bytes;
+  return made_of;
 }
 
 Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) {
@@ -283,9 +228,14 @@ Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) {
   const std::string_view format = node.attribute("format").value();
   const pugi::xml_node content =
       node.find_child([](pugi::xml_node child) { return child.type() == pugi::node_pcdata; });
-  const std::string_view own = content.value();
+  const auto left_out = skeleton_.content_of(
+      static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)));
+  const std::string_view own = left_out.value_or(std::string_view(content.value()));
   if (format == "ascii") {
-    const std::size_t line = content ? line_of(content) : line_of(node);
+    const std::size_t line =
+        left_out ? line_at(source_.text, static_cast<std::size_t>(own.data() - source_.text.data()))
+        : content ? line_of(content)
+                  : line_of(node);
     return Array{type->second, nullptr, MixedText(source_.name, own, reading_, line)};
   }
   std::string_view stored = own;
@@ -304,13 +254,12 @@ Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) {
   }
   const bool is_base64 = format == "binary" || is_appended_base64_;
   const std::size_t each = type->second.size;
-  Result<std::string> bytes = is_compressed_ ? inflate(node, stored, is_base64, each)
-                                             : decode(node, stored, is_base64, each);
+  Result<Stored> bytes = is_compressed_ ? inflate(node, stored, is_base64, each)
+                                        : decode(node, stored, is_base64, each);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto kept = std::make_unique<std::string>(std::move(*bytes));
-  MixedText text(source_.name + ":" + std::to_string(line_of(node)), *kept, reading_);
+  MixedText text(source_.name + ":" + std::to_string(line_of(node)), bytes->bytes, reading_);
   text.set_binary(order_);
-  return Array{type->second, std::move(kept), std::move(text)};
+  return Array{type->second, std::move(bytes->own), std::move(text)};
 }
 
 }  // namespace circumspect::formats

@@ -1,5 +1,5 @@
 // Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
-// document.
+// document, raw or in base 64, compressed by zlib or not.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,9 @@
 
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/xml_skeleton.hpp"
 
 namespace circumspect::formats {
-
-// ---- Base64 ----
-// Decodes the wanted number of bytes from base 64.
-
-// The first `count` bytes, or fewer if the text ends before. Blanks and ends of lines are skipped.
-// Padding ends a group of four characters early, and further groups may follow, as when two texts
-// are concatenated. Nothing if an invalid character comes first, or the text ends within a group.
-std::optional<std::string> decode_base64(std::string_view text, std::size_t count);
-
-// ---- VTU arrays ----
-// Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
-// document, raw or in base 64, compressed by zlib or not.
 
 // Without the blanks around it.
 std::string_view trimmed(std::string_view text);
@@ -50,7 +39,7 @@ class VtuDocument {
   // The numbers of a DataArray. They are read by `text`.
   struct Array {
     NumberType type;
-    std::unique_ptr<std::string> bytes;  // the text that `text` reads, unless that is the document
+    std::unique_ptr<std::string> own;  // what `text` reads, unless that is a part of the file
     MixedText text;
   };
   // Errors include more numbers, in all arrays that were asked for, than a file of this size can
@@ -63,13 +52,21 @@ class VtuDocument {
   Status read_attributes();
   // Takes so many bytes of numbers out of what is left for all arrays.
   Status take_numbers(pugi::xml_node node, std::size_t bytes, std::size_t bytes_each);
-  Result<std::string> decode(pugi::xml_node node, std::string_view stored, bool is_base64,
-                             std::size_t bytes_each);
-  Result<std::string> inflate(pugi::xml_node node, std::string_view stored, bool is_base64,
-                              std::size_t bytes_each);
+  // Bytes of the file, or of their own.
+  struct Stored {
+    std::unique_ptr<std::string> own = {};
+    std::string_view bytes = {};
+  };
+  static std::optional<Stored> first_bytes(std::string_view stored, bool is_base64,
+                                           std::size_t count);
+  Result<Stored> decode(pugi::xml_node node, std::string_view stored, bool is_base64,
+                        std::size_t bytes_each);
+  Result<Stored> inflate(pugi::xml_node node, std::string_view stored, bool is_base64,
+                         std::size_t bytes_each);
 
   const Source& source_;
   NumberReading reading_;
+  XmlSkeleton skeleton_;
   pugi::xml_document document_;
   std::string_view appended_ = {};  // after the '_' of AppendedData
   bool is_appended_base64_ = false;

@@ -11,8 +11,11 @@
 #include <zlib.h>
 
 #include "oracle/formats/bytes/mixed_text.hpp"
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/medit.hpp"
+#include "oracle/formats/tet.hpp"
 #include "oracle/formats/vtk.hpp"
+#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::formats {
 

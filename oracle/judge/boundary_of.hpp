@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -73,6 +74,8 @@ class BoundaryOf {
       }
       if (auto found = fast::improper_triangles(coordinates_, triangles)) return *std::move(found);
     }
+    Places found = repeated();
+    if (!found.empty()) return found;
     std::vector<Point> points;
     for (const Index v : vertices_) points.push_back(exact(v));
     return improper_facets(Configuration(points), points, facets_);
@@ -141,6 +144,19 @@ class BoundaryOf {
   }
 
  private:
+  // Those with the vertices of another, ascending.
+  Places repeated() const {
+    std::map<Simplex, std::size_t> first;
+    Places found;
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+      const auto [at, is_new] = first.emplace(facets_[i], i);
+      if (!is_new) found.insert(found.end(), {at->second, i});
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
   std::vector<Index> corners(std::size_t facet) const {
     std::vector<Index> corners;
     for (const Vertex v : facets_[facet]) corners.push_back(vertices_[static_cast<std::size_t>(v)]);

@@ -54,9 +54,7 @@ class Searched {
   using View = fast::MeshView<kDimension, Index>;
   static constexpr std::size_t kVertices = kDimension + 1;
 
-  Searched(const View& listed, unsigned threads) : listed_(listed), threads_(threads) {
-    merge();
-  }
+  Searched(const View& listed, unsigned threads) : listed_(listed), threads_(threads) { merge(); }
 
   // False if it finds nothing out.
   bool run() {
@@ -78,6 +76,7 @@ class Searched {
 
   std::vector<Duplicate> equal = {};
   Places apart = {};     // simplices that are not compared
+  Places twins = {};     // those with the vertices of another, compared or not
   Places compared = {};  // those that are
   Places improper = {};  // of these, one at least of every two that do not meet as they should
   Places turned = {};    // of these, those oriented unlike most
@@ -119,6 +118,7 @@ class Searched {
   // As definition::set_apart does.
   void set_apart(const fast::Faults& faults) {
     apart = faults.unsound;
+    twins = faults.duplicates;
     std::set<std::array<Index, kVertices>> known;
     for (const std::size_t s : faults.duplicates) {
       const bool is_sound = !std::binary_search(faults.unsound.begin(), faults.unsound.end(), s);
@@ -324,7 +324,11 @@ Places first_ones(const Found& found) {
 
 // What is known of the whole mesh, of which the findings are about a part.
 template <class Found, class Part>
-void take_whole(const Found& whole, const Part& part, Findings& found) {
+void take_whole(const Found& whole, const Part& part, const Places& unused, Findings& found) {
+  found.apart.unused_points.clear();
+  for (const std::size_t v : unused) {
+    found.apart.unused_points.push_back(part.place_of(static_cast<Vertex>(v)));
+  }
   for (const auto& facet : whole.open_facets) {
     Simplex own = in_part(part, facet);
     if (!own.empty()) found.open_facets.push_back(std::move(own));
@@ -342,13 +346,13 @@ void take_whole(const Found& whole, const Part& part, Findings& found) {
 }
 
 template <class Found, class Part>
-Verdict verdict_of_part(const Found& whole, const Part& part, const ComplexDemands& demands,
-                        std::size_t max_violations) {
+Verdict verdict_of_part(const Found& whole, const Part& part, const Places& unused,
+                        const ComplexDemands& demands, std::size_t max_violations) {
   const definition::ListedComplex listed = part.listed();
   std::vector<bool> may_be_improper(part.simplices().size(), false);
   for (const std::size_t s : whole.improper) may_be_improper[part.place_of_simplex(s)] = true;
   Findings found = findings_of_part(listed, may_be_improper);
-  take_whole(whole, part, found);
+  take_whole(whole, part, unused, found);
   Verdict verdict = verdict_of_findings(listed, found, demands, max_violations);
   verdict.name_in_whole(part.vertices(), part.simplices());
   return verdict;
@@ -367,17 +371,17 @@ std::optional<Verdict> failing_complex(const fast::MeshView<kDimension, Index>& 
   Places turned = wrongly_turned(whole, demands.oriented);
   const std::size_t all_turned = turned.size();
   if (max_violations > 0) turned.resize(std::min(turned.size(), max_violations));
-  for (const Places& more : {whole.apart, first_ones(whole), turned}) {
+  for (const Places& more : {whole.apart, whole.twins, first_ones(whole), turned}) {
     simplices.insert(simplices.end(), more.begin(), more.end());
   }
-  Places points = unused_points(mesh);
+  const Places unused = unused_points(mesh);
+  Places points = unused;
   for (const auto& [kept, again] : whole.equal) {
     points.insert(points.end(), {static_cast<std::size_t>(kept), static_cast<std::size_t>(again)});
   }
   const Part<kDimension, Index> part(mesh, std::move(simplices), points);
-  Verdict verdict = verdict_of_part(whole, part, demands, max_violations);
-  const Rule rule =
-      demands.oriented == Orientations::kSame ? Rule::kOrientation : Rule::kInverted;
+  Verdict verdict = verdict_of_part(whole, part, unused, demands, max_violations);
+  const Rule rule = demands.oriented == Orientations::kSame ? Rule::kOrientation : Rule::kInverted;
   const auto counted = verdict.tallies().find(rule);
   std::size_t turned_in_part = counted == verdict.tallies().end() ? 0 : counted->second.count;
   for (; turned_in_part < all_turned; ++turned_in_part) verdict.count(rule);

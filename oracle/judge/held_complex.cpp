@@ -59,7 +59,7 @@ std::optional<Verdict> held_complex(const fast::MeshView<kDimension, Index>& mes
                                     const ComplexDemands& demands, std::size_t max_violations,
                                     unsigned threads) {
   if (demands.closed) return std::nullopt;
-  const auto known = fast::simplex_facts(mesh, {}, threads);
+  const auto known = fast::simplex_facts(mesh, {.pairs_suffice = true}, threads);
   if (!known || !known->uses_all_points) return std::nullopt;  // unused ones may equal others
   const BoundaryOf<kDimension, Index> boundary(mesh, known->boundary);
   if (boundary.has_equal_points() || !boundary.improper().empty()) return std::nullopt;

@@ -70,8 +70,8 @@ bool are_in_one_plane(std::span<const double> coordinates,
 std::optional<Verdict> held_surface(const Mesh& mesh, const ComplexDemands& demands,
                                     std::size_t max_violations) {
   const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
-  const bool is_signed = demands.oriented == Orientations::kPositive ||
-                         demands.oriented == Orientations::kNegative;
+  const bool is_signed =
+      demands.oriented == Orientations::kPositive || demands.oriented == Orientations::kNegative;
   if (doubles == nullptr || mesh.dimension() != 3 || mesh.simplices.columns() != 3 || is_signed) {
     return std::nullopt;
   }

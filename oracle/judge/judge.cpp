@@ -14,6 +14,7 @@
 #include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/held_surface.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -111,7 +112,8 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
 }
 
 template <std::size_t kDimension, typename Index>
-OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
+OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view,
+                               const Options& options) {
   if (options.by != By::kLemma) return because("judged by definition");
   auto verdict = held_complex(view, options.complex, options.max_violations, threads_of(options));
   if (!verdict) {
@@ -121,10 +123,9 @@ OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view, co
   return std::move(*verdict);
 }
 
-}  // namespace
-
-tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
-                                         const Options& options) {
+// The claim alone, without what is required of the shape of simplices.
+tl::expected<Verdict, EqualPoints> judged(Claim claim, const Mesh& mesh, const Domain* domain,
+                                          const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
   if (claim == Claim::kComplex) {
     const auto held = asked_of_rows<Verdict>(
@@ -139,7 +140,10 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   }
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
-  if (domain == nullptr) {
+  const bool is_about_list = is_about_a_list(claim);
+  if (is_about_list) {
+    why_not_fast = "a claim about a list";
+  } else if (domain == nullptr) {
     OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
     if (verdict) return std::move(*verdict);
     why_not_fast = verdict.error();
@@ -147,12 +151,21 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
   if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
-  if (options.by == By::kLemma) {
+  if (options.by == By::kLemma && !is_about_list) {
     OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options, std::move(swept));
     if (verdict) return std::move(*verdict);
   }
   Verdict verdict = judge_points(claim, exact(mesh), options);
   verdict.course.why_not_fast = why_not_fast;
+  return verdict;
+}
+
+}  // namespace
+
+tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
+                                         const Options& options) {
+  auto verdict = judged(claim, mesh, domain, options);
+  if (verdict) judge_quality(mesh, domain, 0, options, *verdict);
   return verdict;
 }
 

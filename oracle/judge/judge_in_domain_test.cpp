@@ -1,5 +1,5 @@
-// Meshes of domains, judged with what the fast judge knows of their simplices and without: the same word
-// for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_slow_test.cpp.
+// Meshes of domains, judged with what the fast judge knows of their simplices and without: the same
+// word for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_slow_test.cpp.
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
@@ -32,7 +32,8 @@ struct Counted {
   std::size_t broken = 0;
 };
 
-// The fast judge finds what the exact predicates find, if it finds anything; and the verdict is the same.
+// The fast judge finds what the exact predicates find, if it finds anything; and the verdict is the
+// same.
 void compare(Claim claim, const ExactMesh& mesh, const Domain& domain, const Options& options,
              Counted& counted) {
   const std::optional<fast::SimplexFacts> known = facts_of(claim, mesh, domain, options);

@@ -1,5 +1,6 @@
-// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast engine does
-// not take: what it says is what the exact checkers say. On the corpus: corpus/judge_test.cpp.
+// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast
+// engine does not take: what it says is what the exact checkers say. On the corpus:
+// corpus/judge_test.cpp.
 #include "oracle/judge/judge.hpp"
 
 #include <algorithm>
@@ -19,8 +20,8 @@
 
 namespace circumspect::check {
 
-// Triangulations with many facets that are not locally Delaunay: grids, each cube cut alike, whose inner
-// points are moved a little, and get weights.
+// Triangulations with many facets that are not locally Delaunay: grids, each cube cut alike, whose
+// inner points are moved a little, and get weights.
 
 // `side` points along each axis, two at least; coordinates and weights are doubles. By no more than
 // `steps` / 1024 each coordinate moves: up to 50 keep every simplex as it is oriented.
@@ -171,7 +172,8 @@ TEST_CASE("what the fast engine does not take, and why") {
         "a dimension other than 2 and 3");
 }
 
-// Each fault by itself and all of them together, in the midst of a mesh that is large enough for several chunks.
+// Each fault by itself and all of them together, in the midst of a mesh that is large enough for
+// several chunks.
 TEST_CASE(
     "every fault of a mesh of doubles is found fast, and told in the words of the exact checkers") {
   for (const std::size_t dimension : {2u, 3u}) {

@@ -13,12 +13,13 @@
 
 namespace circumspect::check {
 
-// What the fast engine finds out of the simplices for a claim about a domain of this kind; or why it leaves the mesh
-// undecided, or `options` ask for more.
+// What the fast engine finds out of the simplices for a claim about a domain of this kind; or why
+// it leaves the mesh undecided, or `options` ask for more.
 OrReason<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
                                                 const Options& options);
 
-// A mesh in exact numbers, and these facts: the same for every domain of one kind. judge_domain and judge_within take both.
+// A mesh in exact numbers, and these facts: the same for every domain of one kind. judge_domain and
+// judge_within take both.
 struct KnownMesh {
   KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const Options& options);
 

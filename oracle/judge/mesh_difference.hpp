@@ -8,8 +8,8 @@
 
 namespace circumspect::check {
 
-// On doubles, where all numbers are; else exactly. No weight counts as 0. None if two points of one mesh
-// are equal.
+// On doubles, where all numbers are; else exactly. No weight counts as 0. None if two points of one
+// mesh are equal.
 std::optional<Difference> difference(const Mesh& a, const Mesh& b);
 
 }  // namespace circumspect::check

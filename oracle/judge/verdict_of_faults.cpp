@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/judge/fast/facet_records.hpp"
+#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
@@ -213,8 +214,8 @@ class Retold {
  private:
   bool all_are_vertices() const { return claim_ != Claim::kWeightedDelaunay; }
 
-  // With the first one, which has the sample point, one that is oriented as most are, and a sound one, which
-  // spans space.
+  // With the first one, which has the sample point, one that is oriented as most are, and a sound
+  // one, which spans space.
   std::vector<std::size_t> simplices() const {
     std::vector<std::size_t> all = {0, faults_.first_of_most, faults_.sound_simplex};
     const auto take = [&all](const std::vector<std::size_t>& some) {

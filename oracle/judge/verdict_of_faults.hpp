@@ -1,5 +1,5 @@
-// Turns the answer of the fast judge about a mesh, facts or places at fault, into the verdict of judge_points()
-// on it.
+// Turns the answer of the fast judge about a mesh, facts or places at fault, into the verdict of
+// judge_points() on it.
 #pragma once
 
 #include <algorithm>
@@ -109,8 +109,8 @@ class Part {
 // Facets of a mesh in arrays, as the checkers name them.
 
 // The answer is in no particular order. One pass over the mesh, and time for each facet.
-// Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the mesh is a triangulation, and
-// each of the facets is in two of its simplices and named once.
+// Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the mesh is a
+// triangulation, and each of the facets is in two of its simplices and named once.
 template <std::size_t kDimension, typename Index>
 std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& mesh,
                                        std::span<const fast::FacetId> facets);
@@ -118,21 +118,21 @@ std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& 
 // ---- Verdict of facts ----
 // From what the fast engine knows of a mesh to the verdict that judge_points() gives on it.
 
-// What judge_points() says of the mesh, word for word; the facets that are not locally Delaunay are asked
-// again, exactly, on no more of the mesh than they need. Throws std::logic_error if the facts are not true.
-// Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the facts are those that
-// fast::judge finds for the claim, and the mesh is oriented, if `options` demand it.
+// What judge_points() says of the mesh, word for word; the facets that are not locally Delaunay are
+// asked again, exactly, on no more of the mesh than they need. Throws std::logic_error if the facts
+// are not true. Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the facts
+// are those that fast::judge finds for the claim, and the mesh is oriented, if `options` demand it.
 template <std::size_t kDimension, typename Index>
 Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
                          const fast::Facts& facts, const Options& options);
 
 // ---- Verdict of faults ----
 
-// What judge_points() says of the mesh, word for word: the exact checkers look again, in their order, at the
-// places that are at fault, on no more of the mesh than they need. `neighbors`: those that the mesh lists, if
-// it does.
-// Nothing if the faults do not tell: weighted points of a triangulation that are no vertices, neighbours that
-// are no rows of a simplex's width, or no fault at all.
+// What judge_points() says of the mesh, word for word: the exact checkers look again, in their
+// order, at the places that are at fault, on no more of the mesh than they need. `neighbors`: those
+// that the mesh lists, if it does.
+// Nothing if the faults do not tell: weighted points of a triangulation that are no vertices,
+// neighbours that are no rows of a simplex's width, or no fault at all.
 // Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the faults are those that
 // fast::faults finds for the claim.
 template <std::size_t kDimension, typename Index>

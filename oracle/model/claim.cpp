@@ -10,7 +10,10 @@ constexpr auto kClaims = std::to_array<ClaimEntry>({
     {Claim::kTriangulation, "triangulation", false},
     {Claim::kDelaunay, "delaunay", false},
     {Claim::kWeightedDelaunay, "weighted-delaunay", false},
-    {Claim::kComplex, "complex", false},
+    {Claim::kComplex, "complex", false, true},
+    {Claim::kConvexHull, "convex-hull", false, true},
+    {Claim::kSurfaceDelaunay, "surface-delaunay", false, true},
+    {Claim::kVoronoi, "voronoi", false, true},
     {Claim::kPlcTriangulation, "plc-triangulation", true},
     {Claim::kSteinerTriangulation, "steiner-triangulation", true},
     {Claim::kCdt, "cdt", true},
@@ -28,5 +31,6 @@ const ClaimEntry& entry(Claim claim) {
 std::span<const ClaimEntry> claims() { return kClaims; }
 std::string_view name(Claim claim) { return entry(claim).name; }
 bool is_about_a_domain(Claim claim) { return entry(claim).is_about_a_domain; }
+bool is_about_a_list(Claim claim) { return entry(claim).is_about_a_list; }
 
 }  // namespace circumspect

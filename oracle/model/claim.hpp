@@ -11,6 +11,9 @@ enum class Claim {
   kDelaunay,
   kWeightedDelaunay,
   kComplex,  // nothing of a hull, of balls, of a domain
+  kConvexHull,
+  kSurfaceDelaunay,
+  kVoronoi,  // of cells, which are no mesh
   // About a mesh and a domain.
   kPlcTriangulation,
   kSteinerTriangulation,
@@ -23,6 +26,9 @@ struct ClaimEntry {
   Claim claim;
   std::string_view name;   // "steiner-cdt"
   bool is_about_a_domain;  // does judging it need a domain?
+  // Is it about what is listed, which need not fill the hull of the points or anything else? Then
+  // nothing is proved of it, and cells may have a lower dimension.
+  bool is_about_a_list = false;
 };
 
 // All claims that a user may choose.
@@ -30,5 +36,6 @@ std::span<const ClaimEntry> claims();
 
 std::string_view name(Claim claim);
 bool is_about_a_domain(Claim claim);
+bool is_about_a_list(Claim claim);
 
 }  // namespace circumspect

@@ -14,7 +14,6 @@
 
 namespace circumspect {
 
-// ---- Listed index ----
 // Indices as users list them, and places from 0. The arithmetic is modulo 2^64: every index of 64
 // bits then has a place of its own, can be recovered from it, and has the place of a point only if
 // it names one. An index that wraps around names no point, because the indices of all points fit 64
@@ -41,7 +40,6 @@ constexpr bool has_room(Vertex first_index, std::size_t count) {
   return count == 0 || count - 1 <= after_first;
 }
 
-// ---- Exact mesh ----
 // A mesh of exact numbers and lists, which the checkers that are written for clarity judge and
 // constructions are compared with. A mesh that was read (mesh.hpp) is converted to it where needed.
 
@@ -64,6 +62,12 @@ struct ExactMesh {
   // vertices than a simplex. Those that are faces of no simplex with more vertices dangle; the
   // others add nothing. Only claims about a domain use them.
   std::vector<Simplex> faces = {};
+
+  std::vector<Simplex> simplices_and_faces() const {
+    std::vector<Simplex> all = simplices;
+    all.insert(all.end(), faces.begin(), faces.end());
+    return all;
+  }
 
   // The user's own index of a vertex, whether it names a point or not.
   Vertex label(Vertex v) const {

@@ -15,7 +15,30 @@
 
 namespace circumspect {
 
-// ---- Rows ----
+// Leaves values that are made without an argument as the language makes them: numbers without a
+// value, so that the threads that write them touch the memory first.
+template <class Value>
+class Uninitialized : public std::allocator<Value> {
+ public:
+  template <class Other>
+  struct rebind {
+    using other = Uninitialized<Other>;
+  };
+  Uninitialized() = default;
+  template <class Other>
+  Uninitialized(const Uninitialized<Other>&) noexcept {}
+  template <class Other>
+  void construct(Other* place) {
+    ::new (static_cast<void*>(place)) Other;
+  }
+  template <class Other, class... Arguments>
+  void construct(Other* place, Arguments&&... arguments) {
+    ::new (static_cast<void*>(place)) Other(std::forward<Arguments>(arguments)...);
+  }
+};
+template <class Value>
+using UninitializedVector = std::vector<Value, Uninitialized<Value>>;
+
 // Numbers in one piece of memory, row after row; large meshes are read into these.
 
 // It owns the memory, or views memory that outlives it. It can be moved, but not copied.
@@ -23,13 +46,15 @@ template <class Value>
 class Rows {
  public:
   Rows() = default;
-  // The values are not initialized, so that the threads that write them touch the memory first.
-  // Requires: rows · columns fits std::size_t.
+  // The values are not initialized. Requires: rows · columns fits std::size_t.
   Rows(std::size_t rows, std::size_t columns)
-      : rows_(rows),
+      : rows_(rows), columns_(columns), own_(rows * columns), values_(own_.data()) {}
+  // Takes the values over. Requires: whole rows, if there are columns.
+  Rows(UninitializedVector<Value> values, std::size_t columns)
+      : rows_(columns == 0 ? 0 : values.size() / columns),
         columns_(columns),
-        own_(std::make_unique_for_overwrite<Value[]>(rows * columns)),
-        values_(own_.get()) {}
+        own_(std::move(values)),
+        values_(own_.data()) {}
   Rows(Rows&& other) noexcept { *this = std::move(other); }
   Rows& operator=(Rows&& other) noexcept {
     rows_ = std::exchange(other.rows_, 0);
@@ -53,8 +78,8 @@ class Rows {
   std::span<const Value> values() const { return {values_, rows_ * columns_}; }
   // Requires: it owns the memory.
   std::span<Value> values() {
-    assert(own_ != nullptr || rows_ * columns_ == 0);
-    return {own_.get(), rows_ * columns_};
+    assert(!own_.empty() || rows_ * columns_ == 0);
+    return {own_.data(), rows_ * columns_};
   }
   // Requires: i < rows(); for writing, that it owns the memory.
   std::span<const Value> row(std::size_t i) const {
@@ -65,11 +90,9 @@ class Rows {
  private:
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
-  std::unique_ptr<Value[]> own_;
+  UninitializedVector<Value> own_;
   const Value* values_ = nullptr;
 };
-
-// ---- Slices ----
 
 // A part of a list.
 struct Slice {
@@ -101,7 +124,6 @@ struct PartOf {
   }
 };
 
-// ---- Index lists ----
 // Lists of indices, such as the simplices of a mesh: in one piece of memory if all have the same
 // length.
 

@@ -166,8 +166,6 @@ Mesh in_rows(const ExactMesh& mesh) {
   return result;
 }
 
-// ---- Equal points ----
-
 namespace {
 
 // The points sorted so that equal ones are adjacent, the first of them first.

@@ -12,7 +12,6 @@
 
 namespace circumspect {
 
-// ---- Mesh ----
 // A user's mesh as it was read: points and a list of simplices that some program made of them, in
 // arrays. exact() converts it to what the exact checkers judge.
 
@@ -95,7 +94,6 @@ ExactMesh exact(const Mesh& mesh);
 // The same mesh in arrays.
 Mesh in_rows(const ExactMesh& mesh);
 
-// ---- Equal points ----
 // The equal points of a mesh, and how they are merged.
 
 // Every point that repeats an earlier one, in order of `again`. Doubles are found by a hash table.

@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "oracle/model/complex_demands.hpp"
+#include "oracle/model/hull_demands.hpp"
+#include "oracle/model/measure.hpp"
 
 namespace circumspect::check {
 
@@ -16,6 +18,8 @@ struct Options {
   By by = By::kLemma;
   bool oriented = false;            // demand one consistent orientation
   ComplexDemands complex = {};      // of the claim `complex`, instead of `oriented`
+  QualityDemands quality = {};      // beside any claim: judged by oracle/judge/judge.hpp
+  HullDemands hull = {};            // of the claim `convex-hull`
   std::size_t max_violations = 20;  // witnesses kept; 0: all
   // Threads of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine
   // has. The answer is the same for any number.

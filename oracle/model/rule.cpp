@@ -72,6 +72,8 @@ std::string_view name(Stage stage) {
       return "domain";
     case Stage::kDelaunay:
       return "delaunay";
+    case Stage::kQuality:
+      return "quality";
   }
   return "";
 }

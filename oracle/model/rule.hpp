@@ -21,6 +21,7 @@ enum class Stage {
   kHull,       // the boundary, and how often what is inside is covered
   kDomain,     // the cells of a domain, and what they enclose
   kDelaunay,
+  kQuality,  // what was required of each simplex
 };
 
 enum class JudgedOf { kPoints, kDomains, kBoth };

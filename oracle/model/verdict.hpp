@@ -11,11 +11,11 @@
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/claim.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/measure.hpp"
 #include "oracle/model/rule.hpp"
 
 namespace circumspect {
 
-// ---- Witness ----
 // The evidence for a broken rule: enough to re-check it by hand.
 
 // An exact value with the name under which it is reported.
@@ -24,11 +24,24 @@ struct NamedValue {
   Rational value;
 };
 
+// A value that is not rational, such as an angle: the double next to it, as text.
+struct RoundedValue {
+  std::string name;
+  std::string decimal;
+};
+
 // The vertex of a mesh that is nearest to where one was expected: far below the size of the mesh,
 // the distance tells rounding from a fault.
 struct NearestVertex {
   Vertex vertex;
   Rational squared_distance;
+};
+
+// What was measured of a simplex that does not keep a requirement. Its text is in measure.hpp.
+struct Measured {
+  Measure measure;
+  Rational value;        // as measure.hpp holds it
+  std::string required;  // "min-angle >= 20.7deg"
 };
 
 // Simplices and vertices are named by indices from 0 (see Mesh::label for the user's own). Which
@@ -40,17 +53,18 @@ struct Witness {
   std::optional<Simplex> face = {};     // the facet or ridge in question
   std::vector<Vertex> vertices = {};    // the vertices that decide
   std::vector<NamedValue> values = {};  // the exact values that decide
-  std::optional<Ball> ball = {};        // the circumball of the first simplex
-  std::optional<Point> point = {};      // a point that decides without being a vertex
+  std::vector<RoundedValue> rounded = {};
+  std::optional<Ball> ball = {};    // the circumball of the first simplex
+  std::optional<Point> point = {};  // a point that decides without being a vertex
   // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a
   // polygon by its place in the domain's list; a face of its convex hull by three vertices that
   // span it.
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
   std::optional<NearestVertex> nearest = {};  // to the missing cell of the domain
+  std::optional<Measured> measured = {};      // of the first simplex
 };
 
-// ---- Verdict ----
 // The answer to a claim. A fault of the input is not a verdict: it never reaches a checker.
 
 struct Violation {
@@ -119,11 +133,11 @@ struct Within {
 
 // For the claim `complex`: what the mesh is, of the simplices that were compared.
 struct ComplexFacts {
-  int dimension = -1;         // of its simplices
-  std::size_t set_apart = 0;  // flat, repeated, doubled and such
-  bool is_complex = false;    // do the others form one?
+  int dimension = -1;           // of its simplices
+  std::size_t set_apart = 0;    // flat, repeated, doubled and such
+  bool is_complex = false;      // do the others form one?
   bool are_counts_cut = false;  // do so many overlap that no more were counted?
-  std::size_t parts = 0;      // that facets connect
+  std::size_t parts = 0;        // that facets connect
   std::size_t boundary_facets = 0;
   std::size_t hanging_vertices = 0;
   // How many quadrilaterals two simplices have on the one side and two on the other, which are cut
@@ -132,6 +146,24 @@ struct ComplexFacts {
   bool only_parts_hang = false;
   // How many have each sign of det[p_1 − p_0; …; p_d − p_0]; none if they have no full dimension.
   std::size_t positive = 0, negative = 0;
+};
+
+// What was required of the shape of simplices beside the claim.
+struct QualityFacts {
+  std::vector<std::string> required;  // "min-angle:20.7deg"
+  std::string except_sharp = {};      // "60deg"; empty: none was set aside
+  std::size_t set_aside = 0;          // simplices at sharp angles
+};
+
+// For the claim `surface-delaunay`: how many edges are in two triangles, in one, and in more.
+struct SurfaceFacts {
+  std::size_t interior_edges = 0, boundary_edges = 0, edges_of_many = 0;
+};
+
+// For the claim `voronoi`: how far the farthest cell is from the exact one, and its site.
+struct VoronoiFacts {
+  Rational squared_distance = 0;
+  std::optional<Vertex> site = {};  // none if all are exact
 };
 
 class Verdict {
@@ -183,6 +215,9 @@ class Verdict {
   std::optional<Rational> beyond = {};
 
   std::optional<ComplexFacts> complex = {};
+  std::optional<QualityFacts> quality = {};
+  std::optional<SurfaceFacts> surface = {};
+  std::optional<VoronoiFacts> voronoi = {};
 
   // The most that one of them explains comes first.
   std::vector<Cause> causes = {};

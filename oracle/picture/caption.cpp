@@ -49,6 +49,10 @@ Fields fields_of(const Witness& witness, const Mesh& mesh) {
   for (const NamedValue& value : witness.values) {
     if (value.name == "vertices expected") fields["expected"] = to_string(value.value);
   }
+  if (witness.measured) {
+    fields["measured"] = measure_text(witness.measured->measure, witness.measured->value);
+    fields["required"] = witness.measured->required;
+  }
   if (witness.nearest) {
     fields["nearest"] = std::to_string(mesh.label(witness.nearest->vertex));
     fields["distance"] = square_root_to_decimal(witness.nearest->squared_distance);

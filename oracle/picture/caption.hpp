@@ -16,6 +16,7 @@ namespace circumspect::picture {
 //   {face}                    "edge 3 4"; "the empty face"
 //   {vertices}                "7"
 //   {expected}                how many vertices a simplex is to have
+//   {measured} {required}     what was measured of the first simplex, and what was required
 //   {nearest} {distance}      the nearest vertex, and how far it is
 //   {ball}                    "circle" in the plane, "ball" elsewhere
 //   {flat}                    "on one line" in the plane, "in one plane" elsewhere

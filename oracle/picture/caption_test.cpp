@@ -58,7 +58,8 @@ TEST_CASE("caption: the sentence of every rule can be filled in") {
                     .face = Simplex{0, 1, 2},
                     .vertices = {4},
                     .values = {{"vertices expected", Rational(4)}},
-                    .nearest = NearestVertex{1, Rational(1)}};
+                    .nearest = NearestVertex{1, Rational(1)},
+                    .measured = Measured{Measure::kEdge, Rational(4), "edge <= 1"}};
   for (const RuleEntry& rule : rules()) {
     CAPTURE(rule.identifier);
     const std::string text = caption({rule.rule, all}, corner());

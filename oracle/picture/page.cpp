@@ -144,6 +144,7 @@ void Page::add_facts(Facts facts, const Mesh& mesh) {
     witnesses.push_back(std::move(witness));
   }
   result["pictures"] = pictures(witnesses, mesh);
+  if (!facts.histograms.is_null()) result["histograms"] = std::move(facts.histograms);
   if (!facts.steps.is_null()) result["steps"] = std::move(facts.steps);
   results_.push_back(std::move(result));
   text_ += beginning(on_lines(facts.text)) + line + "\n";

@@ -32,6 +32,8 @@ struct Facts {
   std::vector<std::pair<report::Json, Witness>> cards = {};
   std::size_t cards_of = 0;  // how many there would be
   report::Json steps = {};   // of a construction: see steps.hpp
+  // Of a mesh: each a `measure`, its `bounds` as texts, and `counts`, one more than those.
+  report::Json histograms = {};
 };
 
 class Page {
@@ -73,7 +75,6 @@ class Page {
   std::size_t cards_ = 0;
 };
 
-// ---- Page source ----
 // The page without its data, with {{title}}, {{text}} and {{data}} where these belong, in this order:
 // page/page.built.html, which the build puts into the library.
 

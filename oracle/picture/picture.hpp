@@ -38,7 +38,6 @@ std::vector<report::Json> pictures(const Verdict& verdict, const Mesh& mesh, con
 std::vector<report::Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
                                    const Domain* domain = nullptr);
 
-// ---- Cells ----
 // Witnesses as cells, for programs that show meshes: VTK's .vtu, as ParaView reads it, and Gmsh's .msh.
 
 enum class CellFormat { kVtu, kGmsh };
@@ -52,7 +51,6 @@ enum class CellFormat { kVtu, kGmsh };
 void write_cells(std::ostream& out, CellFormat format, const Verdict& verdict, const Mesh& mesh,
                  const Domain* domain = nullptr);
 
-// ---- Surroundings ----
 // What lies around witnesses: the few simplices and facets of a mesh that a picture of one needs beside it.
 
 struct Surroundings {

@@ -7,12 +7,12 @@
 #include <doctest/doctest.h>
 #include <pugixml.hpp>
 
-#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/vtu.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::picture {
 
-// ---- Picture ----
 // What is drawn of a witness: what is near, where it is, and what has no picture.
 
 namespace {
@@ -137,7 +137,6 @@ TEST_CASE(
   CHECK(boundary(rows).size() == 9);
 }
 
-// ---- Cells ----
 // Witnesses as cells: our own readers find in the files what was written.
 
 // A tetrahedron whose ball has vertex 5 inside, which an unused point accompanies.

@@ -66,13 +66,13 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
 
 Json complex_facts(const ComplexFacts& facts) {
   Json object = {{"dimension", facts.dimension},
-          {"set_apart", facts.set_apart},
-          {"others_form_a_complex", facts.is_complex},
-          {"parts", facts.parts},
-          {"boundary_facets", facts.boundary_facets},
-          {"hanging_vertices", facts.hanging_vertices},
-          {"positive", facts.positive},
-          {"negative", facts.negative}};
+                 {"set_apart", facts.set_apart},
+                 {"others_form_a_complex", facts.is_complex},
+                 {"parts", facts.parts},
+                 {"boundary_facets", facts.boundary_facets},
+                 {"hanging_vertices", facts.hanging_vertices},
+                 {"positive", facts.positive},
+                 {"negative", facts.negative}};
   if (facts.are_counts_cut) object["counts_are_cut"] = true;
   return object;
 }
@@ -87,6 +87,33 @@ Json causes(const std::vector<Cause>& causes) {
                      {"of_listed", cause.of_listed}});
   }
   return array;
+}
+
+Json surface_facts(const SurfaceFacts& facts) {
+  return {{"interior_edges", facts.interior_edges},
+          {"boundary_edges", facts.boundary_edges},
+          {"edges_of_more_than_two", facts.edges_of_many}};
+}
+
+Json voronoi_facts(const VoronoiFacts& facts, const Mesh& sites) {
+  Json object = {{"squared_distance", value(facts.squared_distance)},
+                 {"distance_rounded_up", square_root_rounded_up(facts.squared_distance)}};
+  if (facts.site) object["site"] = sites.label(*facts.site);
+  return object;
+}
+
+Json quality_facts(const QualityFacts& facts) {
+  Json object = {{"required", facts.required}};
+  if (facts.except_sharp.empty()) return object;
+  object["except_sharp"] = facts.except_sharp;
+  object["set_aside"] = facts.set_aside;
+  return object;
+}
+
+Json measured(const Measured& measured) {
+  return {{"measure", entry(measured.measure).name},
+          {"text", measure_text(measured.measure, measured.value)},
+          {"required", measured.required}};
 }
 
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
@@ -106,7 +133,11 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   if (witness.ball) object["ball"] = ball(*witness.ball);
   Json values = Json::object();
   for (const NamedValue& exact : witness.values) values[exact.name] = value(exact.value);
+  for (const RoundedValue& rounded : witness.rounded) {
+    values[rounded.name] = {{"decimal", rounded.decimal}};
+  }
   object["values"] = values;
+  if (witness.measured) object["measured"] = measured(*witness.measured);
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
   for (const auto& [own, left] : named.merged) {
@@ -181,6 +212,9 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   }
   if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
   if (verdict.complex) object["complex"] = complex_facts(*verdict.complex);
+  if (verdict.quality) object["quality"] = quality_facts(*verdict.quality);
+  if (verdict.voronoi) object["voronoi"] = voronoi_facts(*verdict.voronoi, mesh);
+  if (verdict.surface) object["surface"] = surface_facts(*verdict.surface);
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
   Json tallies = Json::array();

@@ -93,6 +93,13 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   for (const NamedValue& value : witness.values) {
     fmt::format_to(to, "  {}: {}\n", value.name, value_text(value.value));
   }
+  if (witness.measured) {
+    const auto& [measure, value, required] = *witness.measured;
+    fmt::format_to(to, "  measured {}, required {}\n", measure_text(measure, value), required);
+  }
+  for (const RoundedValue& value : witness.rounded) {
+    fmt::format_to(to, "  {} ~ {}\n", value.name, value.decimal);
+  }
 }
 
 std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
@@ -141,20 +148,54 @@ std::string complex_text(const ComplexFacts& facts) {
   return text;
 }
 
+// " min-angle:20.7deg except-sharp:60deg 3 set-aside"
+std::string quality_text(const QualityFacts& facts) {
+  std::string text;
+  for (const std::string& required : facts.required) text += " " + required;
+  if (facts.except_sharp.empty()) return text;
+  return text + fmt::format(" except-sharp:{} {} set-aside", facts.except_sharp, facts.set_aside);
+}
+
+// " 12 interior-edges 3 boundary-edges", and of more than two triangles, if there are any
+std::string surface_text(const SurfaceFacts& facts) {
+  std::string text = fmt::format(" {} {}", counted(facts.interior_edges, "interior-edge"),
+                                 counted(facts.boundary_edges, "boundary-edge"));
+  if (facts.edges_of_many > 0) {
+    text += fmt::format(" {} of more than two triangles", counted(facts.edges_of_many, "edge"));
+  }
+  return text;
+}
+
+// " within ~ 1.2e-16 at site 7": the least distance within which all cells are the exact ones
+std::string voronoi_text(const VoronoiFacts& facts, const Mesh& sites) {
+  if (!facts.site) return " within 0";
+  return fmt::format(" within ~ {} at site {}", square_root_rounded_up(facts.squared_distance),
+                     sites.label(*facts.site));
+}
+
 }  // namespace
 
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain) {
+  if (verdict.holds() && verdict.voronoi) {
+    return fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
+                       on_one_line(mesh_name), counted(verdict.points, "site"),
+                       counted(verdict.simplices, "cell")) +
+           voronoi_text(*verdict.voronoi, mesh);
+  }
   if (verdict.holds()) {
     // A mesh of a domain in space counts tetrahedra, even if it has none and all its points are in
     // a plane.
     const int dimension = domain != nullptr ? static_cast<int>(domain->complex.ambient_dimension())
                           : verdict.complex ? verdict.complex->dimension
-                                            : verdict.dimension;
+                          : verdict.surface ? 2
+                          : verdict.claim() == Claim::kConvexHull ? verdict.dimension - 1
+                                                                  : verdict.dimension;
     std::string line = fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
                                    on_one_line(mesh_name), counted(verdict.points, "point"),
                                    counted_simplices(verdict.simplices, dimension));
     if (verdict.complex) line += complex_text(*verdict.complex);
+    if (verdict.surface) line += surface_text(*verdict.surface);
     if (verdict.dangling > 0) line += fmt::format(" {} dangling", verdict.dangling);
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
     if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
@@ -164,6 +205,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
                           counted(steiner.count(), "steiner-point"), steiner.on_segments,
                           steiner.in_polygons, steiner.in_polyhedra);
     }
+    if (verdict.quality) line += quality_text(*verdict.quality);
     return line + moved_text(verdict);
   }
   std::string line =
@@ -174,6 +216,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
     if (first) line += first_witness(verdict, mesh, domain, rule);
     first = false;
   }
+  if (verdict.voronoi && verdict.voronoi->site) line += voronoi_text(*verdict.voronoi, mesh);
   return line + moved_text(verdict);
 }
 
@@ -196,13 +239,12 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
 }
 
 std::string cause_line(const Cause& cause) {
-  const std::string all = cause.of_listed
-                              ? fmt::format("{} above", counted(cause.of, "violation"))
-                              : counted(cause.of, "violation");
-  const std::string explained =
-      cause.explains < cause.of ? fmt::format("{} of {}", cause.explains, all)
-      : cause.of == 1           ? "the violation"
-                                : "all " + all;
+  const std::string all = cause.of_listed ? fmt::format("{} above", counted(cause.of, "violation"))
+                                          : counted(cause.of, "violation");
+  const std::string explained = cause.explains < cause.of
+                                    ? fmt::format("{} of {}", cause.explains, all)
+                                : cause.of == 1 ? "the violation"
+                                                : "all " + all;
   return fmt::format("cause: {} (explains {})", cause.words, explained);
 }
 
@@ -235,8 +277,9 @@ std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
 std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
                                               const std::string& mesh_name) {
   if (!verdict.complex || !verdict.complex->are_counts_cut) return std::nullopt;
-  return mesh_name + ": so many simplices overlap that no more were looked for: the counts are at "
-                     "least those";
+  return mesh_name +
+         ": so many simplices overlap that no more were looked for: the counts are at "
+         "least those";
 }
 
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name) {
@@ -269,8 +312,6 @@ std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex f
           ? fmt::format("; in all, {} repeat an earlier one", counted(merged.size(), "point"))
           : "");
 }
-
-// ---- Words that texts and JSON share ----
 
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
   if (count == 1) return fmt::format("1 {}", one);
@@ -325,8 +366,6 @@ NamedCells named_cells(const Witness& witness, const Mesh& mesh) {
 }
 
 std::string name(check::By by) { return by == check::By::kLemma ? "lemma" : "definition"; }
-
-// ---- Rounded up ----
 
 std::string square_root_rounded_up(const Rational& squared) {
   if (sign(squared) == 0) return "0";

@@ -44,8 +44,7 @@ std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
                                                  const std::string& mesh_name);
 
 // For a note, of the claim `complex`: that more overlap than were counted. None if all were.
-std::optional<std::string> note_of_cut_counts(const Verdict& verdict,
-                                              const std::string& mesh_name);
+std::optional<std::string> note_of_cut_counts(const Verdict& verdict, const std::string& mesh_name);
 
 // For a note, of the claim `complex`: how many simplices were set apart, and whether the others form a complex. None if
 // none was.
@@ -61,7 +60,6 @@ std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count
 // were merged; the user's index of the first point is `first_index`.
 std::string note_of_merged_points(const std::vector<Duplicate>& merged, Vertex first_index = 0);
 
-// ---- Words that texts and JSON share ----
 // The words that texts and JSON share.
 
 // "1 point", "2 points". `several` is the plural if it is not formed with an s.
@@ -97,7 +95,6 @@ std::string labels(const AnyMesh& mesh, const Simplex& simplex) {
 
 std::string name(check::By by);
 
-// ---- Rounded up ----
 // Distances for people, never less than they are.
 
 // The square root in two significant digits, rounded up: "2.1e-14"; "0" for zero. As a number it is

@@ -199,8 +199,6 @@ TEST_CASE("wording: simplices by dimension, the two ways by name") {
 
 }  // namespace
 
-// ---- Rounded up ----
-
 TEST_CASE("square roots are rounded up to two digits") {
   CHECK(square_root_rounded_up(0) == "0");
   CHECK(square_root_rounded_up(1) == "1.0e+00");
@@ -222,7 +220,6 @@ TEST_CASE("what is printed is no less than the root, and a tenth more at most") 
   }
 }
 
-// ---- JSON ----
 // Verdicts for programs: the exact document, and that it suffices to re-check each witness.
 
 namespace {
@@ -295,15 +292,9 @@ Point place(const Json& violation, const Json& vertex) {
   return exact_point(violation["coordinates"][std::to_string(vertex.get<long>())]);
 }
 
-Rational distance(const Point& a, const Point& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return sum;
-}
-
 // Twice the signed area of a triangle.
 Rational area(const Point& a, const Point& b, const Point& c) {
-  return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
+  return cross_product(a - c, b - c, 0, 1);
 }
 
 bool in_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
@@ -316,9 +307,9 @@ void recheck_ball(const Json& violation) {
   const Point centre = exact_point(violation["ball"]["centre"]);
   const Rational squared_radius = exact(violation["ball"]["squared_radius"]["exact"]);
   for (const Json& v : violation["simplices"][0]) {
-    CHECK(distance(place(violation, v), centre) == squared_radius);
+    CHECK(squared_distance(place(violation, v), centre) == squared_radius);
   }
-  const Rational inner = distance(place(violation, violation["vertices"][0]), centre);
+  const Rational inner = squared_distance(place(violation, violation["vertices"][0]), centre);
   CHECK(inner < squared_radius);
   const Json& values = violation["values"];
   CHECK(exact(values["squared distance from centre"]["exact"]) == inner);

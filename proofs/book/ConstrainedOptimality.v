@@ -1,10 +1,11 @@
 (** * Constrained Delaunay triangulations: only one, and the best  (Book: Propositions 4.12, 4.13)
 
-    Two simplices of two triangulations of a domain have an interior point in common.  From there one sees the vertices of both: so
-    neither witness plane is above the other if both are constrained Delaunay, and the one that is is not above the other that need
-    not be. *)
+    Two simplices of two triangulations of a domain have an interior point in common.  From there
+    one sees the vertices of both: so neither witness plane is above the other if both are
+    constrained Delaunay, and the one that is is not above the other that need not be. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
-From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Walk Generic Mesh.
+From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces
+  Facets Walk Generic Mesh.
 From Circumspect Require Import Independence Adjacency LiftingMap DelaunayLemma Nearest Optimality.
 From Circumspect Require Import Combinations Solid Necessary Visible ConstrainedLemma.
 Import ListNotations.
@@ -45,25 +46,31 @@ Proof.
   - apply conv_vertices. intros k Hk. left. now apply Iy.
   - intros _. apply conv_point. apply (proj2 tri_U (vertices u)); auto.
   - intros X IX s Hs. apply (low_misses_interior P U StU us are_U two proper X u _ IX Iu).
-    intros k Hk. change (between (d := d)) with (mix (d := d)). rewrite affine_mix by now apply bary_affine.
-    apply in_vertices in Iv. destruct Iv as (i & Hi & ->). rewrite bary_vertex by assumption. specialize (Iy k Hk).
+    intros k Hk. change (between (d := d)) with (mix (d := d)).
+    rewrite affine_mix by now apply bary_affine.
+    apply in_vertices in Iv. destruct Iv as (i & Hi & ->). rewrite bary_vertex by assumption.
+    specialize (Iy k Hk).
     destruct (Nat.eq_dec k i); nra.
 Qed.
-Lemma vertex_not_below t u y v : In t ts -> In u us -> inside t y -> inside u y -> In v (vertices u) ->
+Lemma vertex_not_below t u y v : In t ts -> In u us -> inside t y -> inside u y ->
+  In v (vertices u) ->
   witness norm2 t v <= norm2 v.
 Proof.
-  intros It Iu Yt Yu Iv. destruct (proj2 cdt_T (vertices t) (in_T t It)) as (_ & _ & c & r2 & C & Empty).
+  intros It Iu Yt Yu Iv.
+  destruct (proj2 cdt_T (vertices t) (in_T t It)) as (_ & _ & c & r2 & C & Empty).
   destruct (Rle_dec (witness norm2 t v) (norm2 v)) as [|N]; [assumption|exfalso]. apply (Empty v y).
   - apply (proj2 tri_U (vertices u)); auto.
   - now apply inside_strictly.
   - now apply (vertices_seen u y v).
   - apply (in_ball_below_witness t c r2 v C). lra.
 Qed.
-Lemma interior_witness_le t u y : In t ts -> In u us -> inside t y -> inside u y -> witness norm2 t y <= witness norm2 u y.
+Lemma interior_witness_le t u y : In t ts -> In u us -> inside t y -> inside u y ->
+  witness norm2 t y <= witness norm2 u y.
 Proof.
   intros It Iu Yt Yu. apply (conv_le (vertices u)); try apply witness_affine.
   - intros v Iv. pose proof (vertex_not_below t u y v It Iu Yt Yu Iv) as L.
-    apply in_vertices in Iv. destruct Iv as (i & Hi & ->). now rewrite (witness_vertex norm2 u) by assumption.
+    apply in_vertices in Iv. destruct Iv as (i & Hi & ->).
+    now rewrite (witness_vertex norm2 u) by assumption.
   - apply conv_vertices. intros i Hi. left. auto.
 Qed.
 
@@ -81,7 +88,8 @@ Proof.
   2: { exfalso. destruct (proj1 (covers P T StT (mix p z s))) as (r & Hr & Cr).
        { apply (covers P U StU). exists (vertices u). split; [now apply in_U|]. apply conv_vertices.
          intros i Hi. left. apply In_u; [lra|assumption]. }
-       rewrite <- are_T in Hr. apply in_map_iff in Hr. destruct Hr as (m & <- & Im). apply conv_vertices in Cr.
+       rewrite <- are_T in Hr. apply in_map_iff in Hr. destruct Hr as (m & <- & Im).
+       apply conv_vertices in Cr.
        exact (K s ltac:(lra) m Im Cr). }
   pose proof (agree_witness t m p norm2 (frames_agree P T StT ts are_T t m It Im) C Pm) as Le.
   enough (witness norm2 m p <= witness norm2 u p) by lra.
@@ -115,25 +123,31 @@ Lemma common_interior t : In t ts -> exists u y, In u us /\ inside t y /\ inside
 Proof.
   intros It. pose proof (complex_matched us (fun t => t) ltac:(lia)
     (frames_agree P U StU us are_U) (frames_different P U StU us are_U)) as MU.
-  destruct (pick_generic (mesh_cells MU) (map (bary t) (seq 0 (S d))) (barycentre t) []) as (y & Y1 & Y2 & _).
+  destruct (pick_generic (mesh_cells MU) (map (bary t) (seq 0 (S d))) (barycentre t) [])
+    as (y & Y1 & Y2 & _).
   { intros x []. }
   { intros g Hg. apply in_map_iff in Hg. destruct Hg as (i & <- & Hi). apply in_seq_d in Hi.
     split; [now apply bary_affine|now apply barycentre_inside]. }
   assert (Yt : inside t y) by (intros i Hi; apply Y1, in_map; now apply in_seq_d).
   destruct (proj1 (covers P U StU y)) as (u & Hu & C).
-  { apply (covers P T StT). exists (vertices t). split; [now apply in_T|]. apply conv_vertices. intros i Hi. left. auto. }
-  rewrite <- are_U in Hu. apply in_map_iff in Hu. destruct Hu as (b & <- & Ib). apply conv_vertices in C.
-  exists b, y. split; [assumption|]. split; [assumption|]. now apply (generic_inside (tets := us) (geo := fun t => t)).
+  { apply (covers P T StT). exists (vertices t). split; [now apply in_T|]. apply conv_vertices.
+    intros i Hi. left. auto. }
+  rewrite <- are_U in Hu. apply in_map_iff in Hu. destruct Hu as (b & <- & Ib).
+  apply conv_vertices in C.
+  exists b, y. split; [assumption|]. split; [assumption|].
+  now apply (generic_inside (tets := us) (geo := fun t => t)).
 Qed.
 End Frames.
 
 (** ** Proposition 4.12 *)
 
-Theorem generic_cdt T U : generic V -> solid_cdt P T -> solid_cdt P U -> forall t : simplex d, In t T -> exists u, In u U /\ same t u.
+Theorem generic_cdt T U : generic V -> solid_cdt P T -> solid_cdt P U -> forall t : simplex d,
+  In t T -> exists u, In u U /\ same t u.
 Proof.
   intros G CT CU s Is. destruct (all_framed P T (proj1 (proj1 CT))) as (ts & are_T).
   destruct (all_framed P U (proj1 (proj1 CU))) as (us & are_U).
-  pose proof Is as Is'. rewrite <- are_T in Is'. apply in_map_iff in Is'. destruct Is' as (t & <- & It).
+  pose proof Is as Is'. rewrite <- are_T in Is'. apply in_map_iff in Is'.
+  destruct Is' as (t & <- & It).
   destruct (common_interior T U ts us CT (proj1 CU) are_T are_U t It) as (u & y & Iu & Yt & Yu).
   pose proof (interior_witness_le T U ts us CT (proj1 CU) are_T are_U t u y It Iu Yt Yu) as L1.
   pose proof (interior_witness_le U T us ts CU (proj1 CT) are_U are_T u t y Iu It Yu Yt) as L2.
@@ -144,23 +158,31 @@ Proof.
     assert (E : witness norm2 t v = norm2 v).
     { pose proof Hv as Hv'. apply in_vertices in Hv. destruct Hv as (i & Hi & ->).
       pose proof (above_witness norm2 u (witness norm2 t) y (witness_affine _ _)) as E.
-      assert (Ter : forall j, In j (seq 0 (S d)) -> 0 <= bary u j y * (norm2 (vertex u j) - witness norm2 t (vertex u j))).
+      assert (Ter : forall j, In j (seq 0 (S d)) ->
+        0 <= bary u j y * (norm2 (vertex u j) - witness norm2 t (vertex u j))).
       { intros j Hj. apply in_seq_d in Hj. apply Rmult_le_pos; [left; auto|].
-        pose proof (vertex_not_below T U ts us CT (proj1 CU) are_T are_U t u y (vertex u j) It Iu Yt Yu) as B.
+        pose proof (vertex_not_below T U ts us CT (proj1 CU) are_T are_U t u y (vertex u j) It Iu Yt
+          Yu) as B.
         specialize (B ltac:(apply in_vertices; eauto)). lra. }
-      assert (Z : sum (S d) (fun j => bary u j y * (norm2 (vertex u j) - witness norm2 t (vertex u j))) = 0).
+      assert (Z : sum (S d) (fun j =>
+        bary u j y * (norm2 (vertex u j) - witness norm2 t (vertex u j))) = 0).
       { unfold sum in *. rewrite (sum_ext _ _ (fun j => (-1) * (bary u j y *
-          (witness norm2 t (vertex u j) - norm2 (vertex u j))))) by (intros; ring). rewrite sum_scale, <- E. lra. }
-      destruct (Req_dec (witness norm2 t (vertex u i)) (norm2 (vertex u i))) as [|NE]; [assumption|exfalso].
-      assert (0 < sum (S d) (fun j => bary u j y * (norm2 (vertex u j) - witness norm2 t (vertex u j)))); [|lra].
+          (witness norm2 t (vertex u j) - norm2 (vertex u j))))) by (intros; ring).
+          rewrite sum_scale, <- E. lra. }
+      destruct (Req_dec (witness norm2 t (vertex u i)) (norm2 (vertex u i))) as [|NE];
+        [assumption|exfalso].
+      assert (0 < sum (S d) (fun j =>
+        bary u j y * (norm2 (vertex u j) - witness norm2 t (vertex u j)))); [|lra].
       apply (sum_pos _ _ i Ter); [now apply in_seq_d|]. apply Rmult_lt_0_compat; [auto|].
       pose proof (Ter i ltac:(now apply in_seq_d)). pose proof (Yu i Hi). nra. }
     apply (G (v :: vertices t)).
     - constructor; [assumption|apply vertices_NoDup].
-    - intros w [<-|Hw]; [now apply (proj2 (proj1 CU) (vertices u))|now apply (proj2 (proj1 CT) (vertices t))].
+    - intros w [<-|Hw];
+        [now apply (proj2 (proj1 CU) (vertices u))|now apply (proj2 (proj1 CT) (vertices t))].
     - cbn [length]. now rewrite vertices_length.
     - destruct (circumball_frame t) as (c & r2 & C' & Pl). exists c, r2.
-      intros w [<-|Hw]; [|now apply C']. pose proof (ball_plane_power c r2 v) as Pw. rewrite Pl, E in Pw. lra. }
+      intros w [<-|Hw]; [|now apply C']. pose proof (ball_plane_power c r2 v) as Pw.
+      rewrite Pl, E in Pw. lra. }
   split; [|assumption]. apply NoDup_length_incl; [apply vertices_NoDup| |assumption].
   rewrite !vertices_length. constructor.
 Qed.
@@ -169,40 +191,54 @@ Proof. intros G CT CU. split; now apply generic_cdt. Qed.
 
 (** ** Proposition 4.13 *)
 
-Lemma interpolant (t : frame d) a b p : interpolates norm2 (vertices t) a b -> plane a b p = witness norm2 t p.
-Proof. intros I. revert p. apply witness_unique; [apply affine_plane|]. intros i Hi. apply I, in_vertices. eauto. Qed.
+Lemma interpolant (t : frame d) a b p : interpolates norm2 (vertices t) a b ->
+  plane a b p = witness norm2 t p.
+Proof.
+  intros I. revert p. apply witness_unique; [apply affine_plane|]. intros i Hi.
+  apply I, in_vertices. eauto.
+Qed.
 Theorem proposition_4_13_error T U p e e' : solid_cdt P T -> solid_plc_triangulation P U ->
   interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> e <= e'.
 Proof.
   intros CT TU (t & a & b & It & C & I & ->) (u & a' & b' & Iu & C' & I' & ->).
-  destruct (all_framed P T (proj1 (proj1 CT))) as (ts & are_T). destruct (all_framed P U (proj1 TU)) as (us & are_U).
-  pose proof It as It'. rewrite <- are_T in It'. apply in_map_iff in It'. destruct It' as (g & <- & Ig).
-  pose proof Iu as Iu'. rewrite <- are_U in Iu'. apply in_map_iff in Iu'. destruct Iu' as (h & <- & Ih).
+  destruct (all_framed P T (proj1 (proj1 CT))) as (ts & are_T).
+  destruct (all_framed P U (proj1 TU)) as (us & are_U).
+  pose proof It as It'. rewrite <- are_T in It'. apply in_map_iff in It'.
+  destruct It' as (g & <- & Ig).
+  pose proof Iu as Iu'. rewrite <- are_U in Iu'. apply in_map_iff in Iu'.
+  destruct Iu' as (h & <- & Ih).
   rewrite (interpolant g a b p I), (interpolant h a' b' p I'). apply conv_vertices in C, C'.
   pose proof (witness_le T U ts us CT TU are_T are_U g h p Ig Ih C C'). lra.
 Qed.
-(** For every simplex of a CDT each triangulation has one with a min-containment ball that is no smaller. *)
-Theorem proposition_4_13_balls T U t c r2 : solid_cdt P T -> solid_plc_triangulation P U -> In t T -> min_containment_ball t c r2 ->
+(** For every simplex of a CDT each triangulation has one with a min-containment ball that is no
+    smaller. *)
+Theorem proposition_4_13_balls T U t c r2 : solid_cdt P T -> solid_plc_triangulation P U ->
+  In t T -> min_containment_ball t c r2 ->
   exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
 Proof.
   intros CT TU It [_ Least].
-  destruct (all_framed P T (proj1 (proj1 CT))) as (ts & are_T). destruct (all_framed P U (proj1 TU)) as (us & are_U).
-  pose proof It as It'. rewrite <- are_T in It'. apply in_map_iff in It'. destruct It' as (g & <- & Ig).
+  destruct (all_framed P T (proj1 (proj1 CT))) as (ts & are_T).
+  destruct (all_framed P U (proj1 TU)) as (us & are_U).
+  pose proof It as It'. rewrite <- are_T in It'. apply in_map_iff in It'.
+  destruct It' as (g & <- & Ig).
   destruct (circumball_frame g) as (o & R2 & O & Pl). destruct (nearest_point g o) as (q & Cq & Nq).
   destruct (proposition_4_6 (vertices g) o R2 q O Cq Nq) as [B _].
   destruct (proj1 (covers P U (proj1 TU) q)) as (u & Iu & Cu).
   { apply (covers P T (proj1 (proj1 CT))). eauto. }
-  pose proof Iu as Iu'. rewrite <- are_U in Iu'. apply in_map_iff in Iu'. destruct Iu' as (h & <- & Ih).
+  pose proof Iu as Iu'. rewrite <- are_U in Iu'. apply in_map_iff in Iu'.
+  destruct Iu' as (h & <- & Ih).
   exists (vertices h). split; [assumption|]. intros c' r2' C'.
   destruct (Least q (R2 - dist2 o q) B) as [L _]. apply conv_vertices in Cq as Iq.
-  pose proof (witness_le T U ts us CT TU are_T are_U g h q Ig Ih Iq (proj1 (conv_vertices h q) Cu)) as W.
+  pose proof (witness_le T U ts us CT TU are_T are_U g h q Ig Ih Iq (proj1 (conv_vertices h q) Cu))
+    as W.
   pose proof (ball_plane_power o R2 q) as Po. rewrite Pl in Po.
   assert (K : witness norm2 h q <= plane (scale 2 c') (r2' - norm2 c') q).
   { apply (conv_le (vertices h)); [apply witness_affine|apply affine_plane| |assumption].
     intros v Iv. pose proof (C' v Iv) as D. apply in_vertices in Iv. destruct Iv as (i & Hi & ->).
     rewrite witness_vertex by assumption. pose proof (ball_plane_power c' r2' (vertex h i)) as Pw.
     unfold ball_plane in Pw. lra. }
-  pose proof (ball_plane_power c' r2' q) as Pq. unfold ball_plane in Pq. pose proof (norm2_nonneg (minus c' q)) as Nn.
+  pose proof (ball_plane_power c' r2' q) as Pq. unfold ball_plane in Pq.
+  pose proof (norm2_nonneg (minus c' q)) as Nn.
   fold (dist2 c' q) in Nn. lra.
 Qed.
 End Two.

@@ -151,7 +151,8 @@ Theorem symbolic_canonical S h T : NoDup S -> spans S ->
 Proof.
   intros N Sp. split.
   - intros [F C]. split; [assumption|].
-    assert (L : forall l, (forall s, In s l -> In s T) -> exists e0, 0 < e0 /\ forall e, 0 < e < e0 ->
+    assert (L : forall l, (forall s, In s l -> In s T) -> exists e0, 0 < e0 /\
+      forall e, 0 < e < e0 ->
       forall s, In s l -> witness_plane (perturbed S h e) S s).
     { induction l as [|s l IH]; intros Hl; [exists 1; split; [lra|intros e _ s []]|].
       destruct IH as (e1 & P1 & K1); [intros; apply Hl; now right|].

@@ -98,7 +98,9 @@ Proof.
 Qed.
 
 Lemma above_ext h k t p : (forall q, h q = k q) -> above h t p = above k t p.
-Proof. intros E. unfold above, witness, sum. rewrite E. f_equal. apply sum_ext. intros. now rewrite E. Qed.
+Proof.
+  intros E. unfold above, witness, sum. rewrite E. f_equal. apply sum_ext. intros. now rewrite E.
+Qed.
 
 Definition at_point v p : R := if point_eq_dec p v then 1 else 0.
 

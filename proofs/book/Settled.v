@@ -3,9 +3,9 @@
     If across every matched facet the apex is strictly above the witness plane, and every submerged
     point is, then so is every point but the vertices ([strictly_above]): lower one point by so
     little that nothing is below a plane yet, and use the Delaunay Lemma.  So the simplices are in
-    every Delaunay triangulation (Proposition 4.3), and this one is the only one ([only_one]).  If they
-    are above by the symbolic signs, then for all small e all simplices have witness planes over
-    the perturbed heights ([perturbed_planes]). *)
+    every Delaunay triangulation (Proposition 4.3), and this one is the only one ([only_one]).  If
+    they are above by the symbolic signs, then for all small e all simplices have witness planes
+    over the perturbed heights ([perturbed_planes]). *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Mesh Adjacency.
 From Circumspect Require Import LiftingMap DelaunayLemma Uniqueness Perturbation.
@@ -23,7 +23,8 @@ Context {o : point d} {t0 : T}.
 Hypothesis once : covered_once tets geo o t0.
 Variable h : point d -> R.
 
-(** What the checker sees of each facet, from one of its sides, and of each point that is no vertex. *)
+(** What the checker sees of each facet, from one of its sides, and of each point that is no
+    vertex. *)
 Variable good : (point d -> R) -> T -> point d -> Prop.
 Hypothesis good_facets : forall t i u j, In t tets -> adj t i u j ->
   good h t (vertex (geo u) j) \/ good h u (vertex (geo t) i).
@@ -77,7 +78,8 @@ Proof.
   { intros a Ha. apply filter_In in Ha. destruct Ha as [_ Ha].
     destruct (Rlt_dec 0 (above h (geo (fst a)) (snd a))); [lra|discriminate]. }
   specialize (K e ltac:(lra)). set (k q := 1 * h q + - e * at_point p q).
-  assert (Ab : forall u q, above k (geo u) q = above h (geo u) q + e * - above (at_point p) (geo u) q).
+  assert (Ab : forall u q, above k (geo u) q = above h (geo u) q + e * - above (at_point p)
+    (geo u) q).
   { intros u q. unfold k. rewrite above_combine. ring. }
   assert (W : witness_plane k X (vertices (geo t))).
   { apply (planes_of mesh vertices_in support dec once h strictly Facets Points k); [|assumption].

@@ -139,11 +139,12 @@ Proof.
       destruct I as (e' & E & I). rewrite Forall_forall in F. destruct (F e' I) as [_ B].
       apply lexicographic_first in B. destruct B as [B _]. congruence.
 Qed.
-Lemma points_shaped_distinct : Forall (fun e => well_shaped d (position e)) (points c) /\
-  NoDup (map (fun e => coordinates (position e)) (points c)).
+Lemma checked_points l : check_points pr l = Accepted ->
+  Forall (fun e => well_shaped d (position e)) l /\
+    NoDup (map (fun e => coordinates (position e)) l).
 Proof.
-  destruct check_parts as (_ & H & _). unfold check_points in H.
-  destruct (points c) as [|e l]; [split; constructor|]. accepted.
+  clear accepts. intros H. unfold check_points in H.
+  destruct l as [|e l]; [split; constructor|]. accepted.
   apply increase_spec in H. destruct H as [F N]. unfold shaped in Heqb. booleans.
   rewrite dimension_d in Heqb. split.
   - constructor; [assumption|]. eapply Forall_impl; [|exact F]. cbn. tauto.
@@ -151,6 +152,9 @@ Proof.
     destruct I as (e' & E & I). rewrite Forall_forall in F. destruct (F e' I) as [_ B].
     apply lexicographic_first in B. destruct B as [B _]. congruence.
 Qed.
+Lemma points_shaped_distinct : Forall (fun e => well_shaped d (position e)) (points c) /\
+  NoDup (map (fun e => coordinates (position e)) (points c)).
+Proof. apply checked_points. now destruct check_parts as (_ & H & _). Qed.
 Lemma site_shaped k : well_shaped d (site_at d c k).
 Proof.
   unfold site_at. destruct (numbered (points c) k) as [e|] eqn:E.

@@ -22,6 +22,8 @@ Inductive condition :=
   | way_out_shown | polygon_flat | polygon_tiled | vertices_of_domain
   (* domain/ComplexChecker.v *)
   | face_held | segment_in_polygon | rim_listed | one_sided_shown
+  (* alone/MeshAlone.v *)
+  | simplex_proper | simplex_listed | simplices_parted
   (* existence/ImpossibleChecker.v *)
   | vertices_listed | mesh_of_the_domain | fate_shown | reason_shown | clauses_refuted.
 
@@ -189,7 +191,7 @@ Definition points_back (t : positive) (i : nat) (u : simplex_entry) (j : nat) : 
 
 (** [facet-locally-delaunay]: without it the witness planes that a walk passes need not get higher
     at its end: the Delaunay Lemma does not apply ([certificate_local]). *)
-Definition locally_delaunay (X : list site) (n : list Z) (v : site) : bool :=
+Definition apex_outside (X : list site) (n : list Z) (v : site) : bool :=
   depth pr X n v <=? 0.
 
 (** [hull-pointer]: without it a facet that is not matched could escape the conditions on hull
@@ -218,7 +220,7 @@ Definition check_wall (t : positive) (K : list positive) (X : list site) (n : li
                 match Table.find v (points_of m) with
                 | None => Rejected vertex_known (AtSimplex u)
                 | Some p =>
-                    require facet_locally_delaunay by locally_delaunay X n p at AtFacet t i;
+                    require facet_locally_delaunay by apex_outside X n p at AtFacet t i;
                     Accepted
                 end
             end

@@ -1,9 +1,9 @@
 (** * What the quick check's estimates amount to
 
     An integer [x] is estimated by a word [m] in units of [S], with an error of no more than [e]
-    units; and the word is no greater than [M] in absolute value, so that sums and products of such words
-    can be seen not to wrap round ([estimate]).  From the rules for sums, products and shifts the
-    margins of [Quick.v] follow: the constants are computed by Coq. *)
+    units; and the word is no greater than [M] in absolute value, so that sums and products of such
+    words can be seen not to wrap round ([estimate]).  From the rules for sums, products and shifts
+    the margins of [Quick.v] follow: the constants are computed by Coq. *)
 From Coq Require Import ZArith List Bool Lia Psatz.
 From Circumspect Require Import Quick.
 From Circumspect Require Import Word.
@@ -34,13 +34,17 @@ Proof.
   split; [assumption|]. split; [|lia].
   replace (x - y - S * (m - n)) with ((x - S * m) - (y - S * n)) by ring. lia.
 Qed.
-Lemma product_small S m M b B : 0 < S -> Z.abs m <= M -> Z.abs b <= B -> S * Z.abs m * Z.abs b <= S * M * B.
+Lemma product_small S m M b B : 0 < S -> Z.abs m <= M -> Z.abs b <= B ->
+  S * Z.abs m * Z.abs b <= S * M * B.
 Proof.
-  intros P Hm Hb. apply Z.mul_le_mono_nonneg; [|now apply Z.mul_le_mono_nonneg_l; [apply Z.lt_le_incl|]|apply Z.abs_nonneg|exact Hb].
+  intros P Hm Hb.
+  apply Z.mul_le_mono_nonneg; [|now apply Z.mul_le_mono_nonneg_l;
+    [apply Z.lt_le_incl|]|apply Z.abs_nonneg|exact Hb].
   apply Z.mul_nonneg_nonneg; [now apply Z.lt_le_incl|apply Z.abs_nonneg].
 Qed.
 Lemma estimate_mul S T x y M N e f m n : estimate S x M e m -> estimate T y N f n ->
-  (M * N <? 4611686018427387904) = true -> estimate (S * T) (x * y) (M * N) (M * f + N * e + e * f) (mul m n).
+  (M * N <? 4611686018427387904) = true -> estimate (S * T) (x * y) (M * N) (M * f + N * e + e * f)
+    (mul m n).
 Proof.
   intros (P & A & B) (Q & C & D) L. apply Z.ltb_lt in L.
   assert (K : Z.abs (m * n) <= M * N) by (rewrite Z.abs_mul; apply Z.mul_le_mono_nonneg; lia).
@@ -54,7 +58,8 @@ Proof.
   { rewrite !Z.abs_mul, (Z.abs_eq T) by lia. now apply product_small. }
   assert (E3 : Z.abs (a * b) <= (S * e) * (T * f)).
   { rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; auto using Z.abs_nonneg. }
-  replace (S * T * (M * f + N * e + e * f)) with (S * M * (T * f) + T * N * (S * e) + S * e * (T * f)) by ring.
+  replace (S * T * (M * f + N * e + e * f)) with (S * M * (T * f) + T * N * (S * e) + S * e *
+    (T * f)) by ring.
   eapply Z.le_trans; [apply Z.abs_triangle|]. apply Z.add_le_mono; [|exact E3].
   eapply Z.le_trans; [apply Z.abs_triangle|]. now apply Z.add_le_mono.
 Qed.
@@ -80,7 +85,8 @@ Proof.
   intros (P & A & B) L. apply andb_prop in L. destruct L as [L1 L2]. apply Z.leb_le in L1, L2.
   split; [assumption|]. split; [nia|lia].
 Qed.
-Lemma estimate_unit S S' x x' M e m : estimate S x M e m -> S = S' -> x = x' -> estimate S' x' M e m.
+Lemma estimate_unit S S' x x' M e m : estimate S x M e m -> S = S' -> x = x' ->
+  estimate S' x' M e m.
 Proof. now intros H <- <-. Qed.
 
 (** What an estimate says of a sign. *)
@@ -96,7 +102,8 @@ Proof.
   intros (P & A & B) (_ & C & D) L H. apply andb_prop in L. destruct L as [L L3].
   apply andb_prop in L. destruct L as [L1 L2]. apply Z.leb_le in L1, L3. apply Z.ltb_lt in L2.
   apply ltb_less in H. unfold add in H. rewrite wrap_small in H by lia.
-  apply Z.abs_le in A, C. assert (S * (m + e) < S * (n - f)) by (apply Z.mul_lt_mono_pos_l; lia). lia.
+  apply Z.abs_le in A, C. assert (S * (m + e) < S * (n - f)) by (apply Z.mul_lt_mono_pos_l; lia).
+  lia.
 Qed.
 
 (** ** Arrows *)
@@ -114,7 +121,8 @@ Lemma estimated_dot S T u v M N e f p q : estimated S M e u p -> estimated T N f
 Proof.
   destruct u as [[ux uy] uz], v as [[vx vy] vz]. intros (A & B & C) (A' & B' & C') L P.
   assert (L1 : (M * N <? 4611686018427387904) = true) by (apply Z.ltb_lt in L; apply Z.ltb_lt; lia).
-  assert (L2 : (M * N + M * N <? 4611686018427387904) = true) by (apply Z.ltb_lt in L; apply Z.ltb_lt; lia).
+  assert (L2 : (M * N + M * N <? 4611686018427387904) = true) by (apply Z.ltb_lt in L;
+    apply Z.ltb_lt; lia).
   unfold dot, inner3. apply estimate_add; [|now apply estimate_mul|assumption].
   apply estimate_add; [now apply estimate_mul|now apply estimate_mul|assumption].
 Qed.
@@ -133,7 +141,8 @@ Proof.
                         |now apply estimate_mul; [eassumption|eassumption|]|]; reflexivity.
   - reflexivity.
 Qed.
-Lemma estimated_crossed S u v p q : estimated S (134217728) 1 u p -> estimated S (134217728) 1 v q ->
+Lemma estimated_crossed S u v p q : estimated S (134217728) 1 u p ->
+  estimated S (134217728) 1 v q ->
   estimated (S * S * 67108864) (536870912) 10 (cross3 u v) (crossed p q).
 Proof.
   destruct u as [[ux uy] uz], v as [[vx vy] vz]. intros (A & B & C) (A' & B' & C').
@@ -177,7 +186,8 @@ Proof.
       by (apply andb_true_intro; split; apply Z.leb_le; lia).
     rewrite G.
     assert (Q : 0 < 2 ^ (27 - n)) by (apply Z.pow_pos_nonneg; lia).
-    assert (Q' : 2 ^ n * 2 ^ (27 - n) = 134217728) by (rewrite <- Z.pow_add_r by lia; now replace (n + (27 - n)) with 27 by lia).
+    assert (Q' : 2 ^ n * 2 ^ (27 - n) = 134217728) by (rewrite <- Z.pow_add_r by lia;
+      now replace (n + (27 - n)) with 27 by lia).
     assert (R : Z.abs (x * 2 ^ (27 - n)) <= b * 134217728).
     { rewrite Z.abs_mul, (Z.abs_eq (2 ^ (27 - n))), <- Q' by lia. nia. }
     assert (b * 134217728 <= 268435456) by lia.
@@ -188,7 +198,8 @@ Proof.
       by (apply andb_true_intro; split; apply Z.leb_le; lia).
     rewrite G. set (K := 2 ^ (n - 27)).
     assert (HK : 0 < K) by (apply Z.pow_pos_nonneg; lia).
-    assert (Q' : 2 ^ n = K * 134217728) by (unfold K; change 134217728 with (2 ^ 27); rewrite <- Z.pow_add_r by lia; f_equal; lia).
+    assert (Q' : 2 ^ n = K * 134217728) by (unfold K; change 134217728 with (2 ^ 27);
+      rewrite <- Z.pow_add_r by lia; f_equal; lia).
     assert (P : 0 < 2 ^ s) by (apply Z.pow_pos_nonneg; lia).
     pose proof (Z.div_mod x K ltac:(lia)) as D. pose proof (Z.mod_pos_bound x K HK) as R.
     split; [nia|]. split.
@@ -202,7 +213,8 @@ Proof.
           by (split; [apply Z.mul_nonneg_nonneg|apply Z.mul_le_mono_nonneg_l]; lia).
         assert (2 ^ s * c <= 2 ^ s * K) by (apply Z.mul_le_mono_nonneg_l; lia).
         apply Z.abs_le in Near. apply Z.abs_le. destruct (c <=? 1) eqn:C; [|lia].
-        apply Z.leb_le in C. assert (2 ^ s * c <= 2 ^ s * 1) by (apply Z.mul_le_mono_nonneg_l; lia). lia.
+        apply Z.leb_le in C. assert (2 ^ s * c <= 2 ^ s * 1) by (apply Z.mul_le_mono_nonneg_l; lia).
+        lia.
     + rewrite Q' in Most. apply Z.abs_le in Most. apply Z.abs_le. split.
       * apply Z.div_le_lower_bound; [lia|]. nia.
       * apply Z.div_le_upper_bound; [lia|]. nia.
@@ -212,11 +224,13 @@ Lemma estimated_level v p b c : 0 <= s -> 1 <= b <= 2 -> 0 <= c <= 8 ->
    (s = 0 -> x = along_x p /\ y = along_y p /\ z = along_z p) /\
    Z.abs (x - 2 ^ s * along_x p) <= 2 ^ s * c /\ Z.abs (y - 2 ^ s * along_y p) <= 2 ^ s * c /\
    Z.abs (z - 2 ^ s * along_z p) <= 2 ^ s * c) ->
-  Z.abs (along_x p) <= b * 2 ^ n /\ Z.abs (along_y p) <= b * 2 ^ n /\ Z.abs (along_z p) <= b * 2 ^ n ->
+  Z.abs (along_x p) <= b * 2 ^ n /\ Z.abs (along_y p) <= b * 2 ^ n /\
+    Z.abs (along_z p) <= b * 2 ^ n ->
   estimated unit (b * 134217728) (if c <=? 1 then 1 else 2) (times factor v) (leveled n p).
 Proof.
   destruct v as [[x y] z]. intros Hs Hb Hc (E & X & Y & Z') (X' & Y' & Z'').
-  unfold estimated, times. split; [|split]; cbn [leveled along_x along_y along_z]; apply estimate_level; auto;
+  unfold estimated, times. split; [|split]; cbn [leveled along_x along_y along_z];
+    apply estimate_level; auto;
     intros Q; now apply E.
 Qed.
 End Level.
@@ -251,9 +265,11 @@ Let vw := estimated_crossed _ _ _ _ _ v_estimated w_estimated.
 Let wu := estimated_crossed _ _ _ _ _ w_estimated u_estimated.
 Let uv := estimated_crossed _ _ _ _ _ u_estimated v_estimated.
 
-Ltac flat := destruct u as [[? ?] ?], v as [[? ?] ?], w as [[? ?] ?]; cbn [times cross3 inner3]; ring.
+Ltac flat := destruct u as [[? ?] ?], v as [[? ?] ?], w as [[? ?] ?]; cbn [times cross3 inner3];
+  ring.
 
-Lemma det_estimated : estimate (S * S * S * 67108864) (a ^ 3 * det3 u v w) (216172782113783808) (5637144606)
+Lemma det_estimated : estimate (S * S * S * 67108864) (a ^ 3 * det3 u v w) (216172782113783808)
+  (5637144606)
   (dot u' (crossed v' w')).
 Proof.
   eapply estimate_unit; [eapply estimate_weaken; [eapply estimated_dot|]| |].
@@ -265,7 +281,8 @@ Proof.
   - ring.
   - unfold det3. flat.
 Qed.
-Lemma orientation_positive : ltb orientation_margin (dot u' (crossed v' w')) = true -> 0 < det3 u v w.
+Lemma orientation_positive : ltb orientation_margin (dot u' (crossed v' w')) = true ->
+  0 < det3 u v w.
 Proof.
   intros H. apply ltb_less in H. rewrite orientation_margin_is in H.
   assert (P : 0 < a ^ 3 * det3 u v w) by (eapply estimate_positive; [exact det_estimated|lia]).
@@ -284,7 +301,8 @@ Proof.
     by (destruct q as [[? ?] ?], i as [[? ?] ?]; cbn [times inner3]; ring).
   apply (factor_out (b * a * a)); [now apply product_positive|]. now rewrite Z.mul_0_r.
 Qed.
-Lemma crossed_at x y x' y' : estimated S (134217728) 1 (times a x) x' -> estimated S (134217728) 1 (times a y) y' ->
+Lemma crossed_at x y x' y' : estimated S (134217728) 1 (times a x) x' ->
+  estimated S (134217728) 1 (times a y) y' ->
   estimated (S * S * 67108864) (536870912) 10 (times (a * a) (cross3 x y)) (crossed x' y').
 Proof.
   intros Hx Hy. pose proof (estimated_crossed _ _ _ _ _ Hx Hy) as H.
@@ -292,12 +310,14 @@ Proof.
   destruct x as [[? ?] ?], y as [[? ?] ?]. cbn [times cross3]. f_equal; [f_equal|]; ring.
 Qed.
 Lemma last_side_positive S' b q q' : 0 < b -> estimated S' (134217728) 2 (times b q) q' ->
-  ltb side_margin (add (add (dot q' (crossed v' w')) (dot q' (crossed w' u'))) (dot q' (crossed u' v'))) = true ->
+  ltb side_margin (add (add (dot q' (crossed v' w')) (dot q' (crossed w' u')))
+    (dot q' (crossed u' v'))) = true ->
   0 < inner3 q (cross3 v w) + inner3 q (cross3 w u) + inner3 q (cross3 u v).
 Proof.
   intros Hb Hq H. apply ltb_less in H. rewrite side_margin_is in H.
   assert (P : 0 < inner3 (times b q) (cross3 (times a v) (times a w)) +
-    inner3 (times b q) (cross3 (times a w) (times a u)) + inner3 (times b q) (cross3 (times a u) (times a v))).
+    inner3 (times b q) (cross3 (times a w) (times a u)) + inner3 (times b q)
+      (cross3 (times a u) (times a v))).
   { eapply estimate_positive.
     - eapply estimate_add; [eapply estimate_add|..].
       + eapply estimated_dot; [exact Hq|exact vw|reflexivity|lia].
@@ -327,14 +347,17 @@ Proof.
   - eapply estimated_dot; [exact H|exact H|reflexivity|lia].
   - reflexivity.
 Qed.
-Lemma scaled_square k x y z : inner3 (k * x, k * y, k * z) (k * x, k * y, k * z) = k * k * inner3 (x, y, z) (x, y, z).
+Lemma scaled_square k x y z : inner3 (k * x, k * y, k * z) (k * x, k * y, k * z) = k * k * inner3
+  (x, y, z) (x, y, z).
 Proof. cbn [inner3]. ring. Qed.
 Lemma scaled_difference k b c d e : k * b * (k * c) - k * d * (k * e) = k * k * (b * c - d * e).
 Proof. ring. Qed.
 Ltac without_scale := rewrite !scaled_square, !scaled_difference; ring.
 Lemma slope_one {f g h x y z f' g' h' x' y' z' T} :
-  estimate T f (805306368) 14 f' -> estimate T g (805306368) 14 g' -> estimate T h (805306368) 14 h' ->
-  estimate T x (536870912) 10 x' -> estimate T y (536870912) 10 y' -> estimate T z (536870912) 10 z' ->
+  estimate T f (805306368) 14 f' -> estimate T g (805306368) 14 g' ->
+    estimate T h (805306368) 14 h' ->
+  estimate T x (536870912) 10 x' -> estimate T y (536870912) 10 y' ->
+    estimate T z (536870912) 10 z' ->
   estimate (T * T * 268435456) (f * x + g * y + h * z) (4831838208) 176
     (down28 (add (add (mul f' x') (mul g' y')) (mul h' z'))).
 Proof.
@@ -358,7 +381,8 @@ Proof.
   set (slope' := slope_of _ _ _ _ _ _) in H.
   assert (Sl : estimated ((S * S * 67108864) * (S * S * 67108864) * 268435456) (4831838208) 176
     (times (a ^ 4) slope_vector) slope').
-  { pose proof (square_estimated _ _ u_estimated) as F. pose proof (square_estimated _ _ v_estimated) as G.
+  { pose proof (square_estimated _ _ u_estimated) as F.
+    pose proof (square_estimated _ _ v_estimated) as G.
     pose proof (square_estimated _ _ w_estimated) as H'.
     pose proof vw as A. pose proof wu as B. pose proof uv as C.
     unfold slope', slope_of, slope_vector.
@@ -368,14 +392,19 @@ Proof.
     - eapply estimate_unit; [exact (slope_one F G H' A1 B1 C1)|reflexivity|without_scale].
     - eapply estimate_unit; [exact (slope_one F G H' A2 B2 C2)|reflexivity|without_scale].
     - eapply estimate_unit; [exact (slope_one F G H' A3 B3 C3)|reflexivity|without_scale]. }
-  assert (Up : estimate (S ^ 5 * 2 ^ 80) (a ^ 5 * inner3 slope_vector p) (3891110078048108544) (156229435920) (dot slope' p')).
-  { eapply estimate_unit; [eapply estimate_weaken; [eapply estimated_dot; [exact Sl|exact Hp|reflexivity|lia]|reflexivity]
+  assert (Up : estimate (S ^ 5 * 2 ^ 80) (a ^ 5 * inner3 slope_vector p) (3891110078048108544)
+    (156229435920) (dot slope' p')).
+  { eapply estimate_unit;
+      [eapply estimate_weaken;
+      [eapply estimated_dot; [exact Sl|exact Hp|reflexivity|lia]|reflexivity]
                           |ring|].
     destruct slope_vector as [[? ?] ?], p as [[? ?] ?]. cbn [times inner3]. ring. }
-  assert (Down : estimate (S ^ 5 * 2 ^ 80) (a ^ 5 * (det3 u v w * inner3 p p)) (2594073385365405696) (95026152022)
+  assert (Down : estimate (S ^ 5 * 2 ^ 80) (a ^ 5 * (det3 u v w * inner3 p p)) (2594073385365405696)
+    (95026152022)
     (mul (down28 (dot u' (crossed v' w'))) (down26 (dot p' p')))).
   { eapply estimate_unit; [eapply estimate_weaken; [eapply estimate_mul|]| |].
-    - eapply (estimate_div (268435456) _ _ _ _ _ (805306368) 23); [exact det_estimated|lia|reflexivity].
+    - eapply (estimate_div (268435456) _ _ _ _ _ (805306368) 23);
+        [exact det_estimated|lia|reflexivity].
     - eapply (estimate_div (67108864) _ _ _ _ _ (3221225472) 26);
         [eapply estimated_dot; [exact Hp|exact Hp|reflexivity|lia]|lia|reflexivity].
     - reflexivity.

@@ -12,8 +12,8 @@ Record packed := Packed {
   (* all but the simplices, of which it has none *)
   frame : certificate;
   simplex_count : Word.t;
-  (* for each simplex: its vertices; its walls, 8 T + J for [Neighbour T J], and -H for [OnHull H]; and S, or
-     -1 for - *)
+  (* for each simplex: its vertices; its walls, 8 T + J for [Neighbour T J], and -H for [OnHull H];
+     and S, or -1 for - *)
   rows_of : Word.words
 }.
 

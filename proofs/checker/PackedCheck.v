@@ -1,8 +1,9 @@
 (** * The checker, with simplices as rows of words
 
-    [check_packed] and [settle_packed] are extracted.  They are [check] and [settle] of the certificate that is packed ([check_packed_is],
-    [settle_packed_is]), but of its simplices only the one that is looked at is ever made: so millions need no more room than their rows,
-    and no recursion is as deep as the list is long. *)
+    [check_packed] and [settle_packed] are extracted.  They are [check] and [settle] of the
+    certificate that is packed ([check_packed_is], [settle_packed_is]), but of its simplices only
+    the one that is looked at is ever made: so millions need no more room than their rows, and no
+    recursion is as deep as the list is long. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Checker Settling Packed.
 From Circumspect Require Word Table.
@@ -55,7 +56,8 @@ Definition settle_packed (s : standing) : settlement :=
 
 Lemma packed_mesh_is : packed_mesh D p = mesh_of (unpacked D p).
 Proof.
-  unfold packed_mesh, mesh_of, unpacked. cbn [claimed points simplices hull sample_simplex sample sample_denominator].
+  unfold packed_mesh, mesh_of, unpacked.
+  cbn [claimed points simplices hull sample_simplex sample sample_denominator].
   unfold Table.of_list at 3, Table.tabulate. now rewrite map_map.
 Qed.
 Lemma each_numbers (f : positive -> simplex_entry -> result) : forall n a k,
@@ -63,11 +65,13 @@ Lemma each_numbers (f : positive -> simplex_entry -> result) : forall n a k,
   each (fun _ t => f t (entry t)) k (map Pos.of_succ_nat (seq a n)).
 Proof.
   induction n as [|n IH]; intros a k; [reflexivity|]. cbn [seq map each].
-  destruct (f (Pos.of_succ_nat a) (entry (Pos.of_succ_nat a))); [|reflexivity]. exact (IH (S a) (Pos.succ k)).
+  destruct (f (Pos.of_succ_nat a) (entry (Pos.of_succ_nat a))); [|reflexivity].
+  exact (IH (S a) (Pos.succ k)).
 Qed.
 Lemma settled_numbers (f : positive -> simplex_entry -> bool) : forall n a,
   all_settled f AtSimplex (Pos.of_succ_nat a) (map entry (map Pos.of_succ_nat (seq a n))) =
-  all_settled (fun _ t => f t (entry t)) AtSimplex (Pos.of_succ_nat a) (map Pos.of_succ_nat (seq a n)).
+  all_settled (fun _ t => f t (entry t)) AtSimplex (Pos.of_succ_nat a)
+    (map Pos.of_succ_nat (seq a n)).
 Proof.
   induction n as [|n IH]; intros a; [reflexivity|]. cbn [seq map all_settled].
   destruct (f (Pos.of_succ_nat a) (entry (Pos.of_succ_nat a))); [|reflexivity]. exact (IH (S a)).
@@ -76,26 +80,33 @@ Lemma each_row_is f : each_row f = each f 1 (map entry (Word.upto (simplex_count
 Proof.
   unfold Word.upto. etransitivity; [|symmetry; exact (each_numbers f _ 0%nat 1%positive)].
   unfold each_row. destruct (Word.all _ _) eqn:A; [|reflexivity]. unfold Word.all, Word.upto in A.
-  revert A. generalize (map Pos.of_succ_nat (seq 0 (Z.to_nat (simplex_count p)))), 1%positive. clear.
-  induction l as [|t l IH]; intros k A; [reflexivity|]. cbn in A |- *. apply andb_prop in A. destruct A as [A1 A2].
+  revert A. generalize (map Pos.of_succ_nat (seq 0 (Z.to_nat (simplex_count p)))), 1%positive.
+  clear.
+  induction l as [|t l IH]; intros k A; [reflexivity|]. cbn in A |- *. apply andb_prop in A.
+  destruct A as [A1 A2].
   destruct (f t (entry t)); [|discriminate]. now apply IH.
 Qed.
-Lemma settled_rows_are f : settled_rows f = all_settled f AtSimplex 1 (map entry (Word.upto (simplex_count p))).
+Lemma settled_rows_are f : settled_rows f = all_settled f AtSimplex 1
+  (map entry (Word.upto (simplex_count p))).
 Proof.
   unfold Word.upto. etransitivity; [|symmetry; exact (settled_numbers f _ 0%nat)].
-  unfold settled_rows. destruct (Word.all _ _) eqn:A; [|reflexivity]. unfold Word.all, Word.upto in A.
+  unfold settled_rows. destruct (Word.all _ _) eqn:A; [|reflexivity].
+  unfold Word.all, Word.upto in A.
   revert A. change (Pos.of_succ_nat 0) with 1%positive.
   generalize (map Pos.of_succ_nat (seq 0 (Z.to_nat (simplex_count p)))), 1%positive. clear.
-  induction l as [|t l IH]; intros k A; [reflexivity|]. cbn in A |- *. apply andb_prop in A. destruct A as [A1 A2].
+  induction l as [|t l IH]; intros k A; [reflexivity|]. cbn in A |- *. apply andb_prop in A.
+  destruct A as [A1 A2].
   rewrite A1. now apply IH.
 Qed.
 Theorem check_packed_is : check_packed = check D (unpacked D p).
 Proof.
-  unfold check_packed, check, check_in. cbv zeta. rewrite <- packed_mesh_is, each_row_is. reflexivity.
+  unfold check_packed, check, check_in. cbv zeta. rewrite <- packed_mesh_is, each_row_is.
+  reflexivity.
 Qed.
 Theorem settle_packed_is s : settle_packed s = settle D (unpacked D p) s.
 Proof.
-  unfold settle_packed, settle, settle_in. cbv zeta. rewrite <- packed_mesh_is, settled_rows_are. reflexivity.
+  unfold settle_packed, settle, settle_in. cbv zeta. rewrite <- packed_mesh_is, settled_rows_are.
+  reflexivity.
 Qed.
 End Rows.
 
@@ -105,7 +116,8 @@ Definition all_coordinates (l : list point_entry) : list Z :=
   rev' (fold_left (fun made e => rev_append (coordinates (position e)) made) l []).
 Lemma all_coordinates_are l : all_coordinates l = flat_map (fun e => coordinates (position e)) l.
 Proof.
-  assert (G : forall made, fold_left (fun made e => rev_append (coordinates (position e)) made) l made =
+  assert (G : forall made, fold_left (fun made e => rev_append (coordinates (position e)) made) l
+    made =
     rev (flat_map (fun e => coordinates (position e)) l) ++ made).
   { induction l as [|e l IH]; intros made; [reflexivity|]. cbn [fold_left flat_map].
     now rewrite IH, rev_append_rev, rev_app_distr, app_assoc. }

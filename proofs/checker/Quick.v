@@ -2,11 +2,11 @@
 
     Where [quick] is true the certificate is accepted ([QuickSound.v]); where it is false nothing is
     said, and the checker proper decides.  A tetrahedron is looked at in words alone.  Its
-    determinants are estimated: all edges are scaled so that the longest has about 27 binary digits, and of
-    products no more than 31 are kept; the margins are what that can amount to ([Estimates.v]).
-    Where it is not certain on which side of a circumball an apex is, integers tell, of this apex alone.
-    A tetrahedron of which another sign is not certain, or of whose conditions one fails, goes to
-    [check_simplex]. *)
+    determinants are estimated: all edges are scaled so that the longest has about 27 binary digits,
+    and of products no more than 31 are kept; the margins are what that can amount to
+    ([Estimates.v]). Where it is not certain on which side of a circumball an apex is, integers
+    tell, of this apex alone. A tetrahedron of which another sign is not certain, or of whose
+    conditions one fails, goes to [check_simplex]. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export PackedCheck.
 From Circumspect Require Import Word.
@@ -28,15 +28,15 @@ Definition crossed (p q : arrow) : arrow :=
     (down26 (sub (mul (along_z p) (along_x q)) (mul (along_x p) (along_z q))))
     (down26 (sub (mul (along_x p) (along_y q)) (mul (along_y p) (along_x q)))).
 
-(** A word of which no coordinate is greater; how many digits it has; and whether none is greater than
-    [most]. *)
+(** A word of which no coordinate is greater; how many digits it has; and whether none is greater
+    than [most]. *)
 Definition larger (x y : Word.t) : Word.t := if ltb x y then y else x.
 Definition absolute (x : Word.t) : Word.t := if ltb x zero then sub zero x else x.
 Definition largest (p : arrow) : Word.t :=
   larger (absolute (along_x p)) (larger (absolute (along_y p)) (absolute (along_z p))).
-Definition within (most x : Word.t) : bool := leb (sub zero most) x && leb x most.
+Definition at_most (most x : Word.t) : bool := leb (sub zero most) x && leb x most.
 Definition inside (most : Word.t) (p : arrow) : bool :=
-  within most (along_x p) && within most (along_y p) && within most (along_z p).
+  at_most most (along_x p) && at_most most (along_y p) && at_most most (along_z p).
 
 Definition c27 : Word.t := of_pos 27.
 Definition c30 : Word.t := of_pos 30.
@@ -68,7 +68,7 @@ Variable asked : option standing.
 (** Digits that were left out are none of those that are kept. *)
 Definition fine (n : Word.t) : bool := leb zero n && leb n c60 && (eqb s zero || leb c30 n).
 
-Definition place_of (v : Word.t) : arrow :=
+Definition arrow_to (v : Word.t) : arrow :=
   let k := mul three (sub v one) in
   Arrow (get places k) (get places (add k one)) (get places (add k two)).
 Definition known (most v : Word.t) : bool := leb one v && leb v most.
@@ -86,8 +86,8 @@ Definition other_corner (r j a : Word.t) : Word.t :=
   get rows (add r (if leb j a then add a one else a)).
 Definition is_odd (j : Word.t) : bool := eqb j one || eqb j three.
 
-(** [facet_matched] and [back_pointer] across facet [i] of simplex [t], whose other vertices are k0 k1 k2;
-    [apex_ok u v] says what is asked of vertex [v] of the simplex [u] there. *)
+(** [facet_matched] and [back_pointer] across facet [i] of simplex [t], whose other vertices are k0
+    k1 k2; [apex_ok u v] says what is asked of vertex [v] of the simplex [u] there. *)
 Definition quick_wall (t : positive) (i : Word.t) (i_is_odd : bool) (k0 k1 k2 x : Word.t)
     (apex_ok : Word.t -> Word.t -> bool) : bool :=
   if ltb x zero then names_hull m t (index i) (to_pos (sub zero x))
@@ -135,8 +135,10 @@ Definition quick_below (n : Word.t) (pd slope : arrow) (det : Word.t) (p : arrow
 (** The same in integers.  The witness plane is that of one tetrahedron for all of its walls. *)
 Definition exact_plane (a b c d : Word.t) : option (list positive * list site * list Z) :=
   let K := [to_pos a; to_pos b; to_pos c; to_pos d] in
-  match find_all (points_of m) K with Some X => Some (K, X, slope space_predicates X) | None => None end.
-Definition exactly_below (plane : option (list positive * list site * list Z)) (k : positive) : bool :=
+  match find_all (points_of m) K with Some X => Some (K, X, slope space_predicates X) | None =>
+    None end.
+Definition exactly_below (plane : option (list positive * list site * list Z)) (k : positive) :
+  bool :=
   match plane, Table.find k (points_of m) with
   | Some (K, X, n), Some p =>
       let z := depth space_predicates X n p in
@@ -162,11 +164,11 @@ Definition quick_simplex (t : positive) : bool :=
   known points_count a && known points_count b && known points_count c && known points_count d &&
   negb (eqb a b) && negb (eqb a c) && negb (eqb a d) &&
   negb (eqb b c) && negb (eqb b d) && negb (eqb c d) &&
-  let pa := place_of a in
-  let pd := place_of d in
+  let pa := arrow_to a in
+  let pd := arrow_to d in
   let eu := arrow_from pa pd in
-  let ev := arrow_from (place_of b) pd in
-  let ew := arrow_from (place_of c) pd in
+  let ev := arrow_from (arrow_to b) pd in
+  let ew := arrow_from (arrow_to c) pd in
   let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
   let most := up one n in
   fine n && inside most eu && inside most ev && inside most ew &&
@@ -185,7 +187,7 @@ Definition quick_simplex (t : positive) : bool :=
       let det' := down28 det in
       let plane := Table.once (fun _ => exact_plane a b c d) in
       fun u v => negb (Pos.ltb t (to_pos u)) ||
-        quick_below n pd slope det' (place_of v) || exactly_below (plane tt) (to_pos v)
+        quick_below n pd slope det' (arrow_to v) || exactly_below (plane tt) (to_pos v)
     else fun _ _ => true in
   quick_wall t zero false b c d (get rows (add r four)) below &&
   quick_wall t one true a c d (get rows (add r five)) below &&
@@ -204,8 +206,9 @@ Definition quick_positive (pa pb pc pd : arrow) : bool :=
   let most := up one n in
   fine n && inside most eu && inside most ev && inside most ew &&
   ltb orientation_margin (dot (leveled n eu) (crossed (leveled n ev) (leveled n ew))).
-Definition placed (k : positive) : bool := known points_count (of_pos k) && Pos.eqb (to_pos (of_pos k)) k.
-Definition place_at (k : positive) : arrow := place_of (of_pos k).
+Definition placed (k : positive) : bool := known points_count (of_pos k) &&
+  Pos.eqb (to_pos (of_pos k)) k.
+Definition place_at (k : positive) : arrow := arrow_to (of_pos k).
 (** With vertex [v] in place of number [i] the tetrahedron is positive, too. *)
 Definition quick_side (E : list positive) (i : nat) (v : positive) : bool :=
   match replace i v E with
@@ -214,7 +217,8 @@ Definition quick_side (E : list positive) (i : nat) (v : positive) : bool :=
   | _ => false
   end.
 
-Definition quick_ridge (h : positive) (i : nat) (E K : list positive) (X : list site) (a : nat) (r : positive * nat) : bool :=
+Definition quick_ridge (h : positive) (i : nat) (E K : list positive) (X : list site) (a : nat)
+  (r : positive * nat) : bool :=
   let '(g, b) := r in
   match Table.find g (hull_of m) with
   | None => false
@@ -244,7 +248,8 @@ Definition quick_hull (h : positive) (f : hull_entry) : bool :=
       | None => false
       | Some X =>
           inside_hull_facet space_predicates m (apex f) X && Nat.eqb (length (ridges f)) 3 &&
-          every_index (quick_ridge h (apex f) (corners e) (remove (apex f) (corners e)) X) 0 (ridges f)
+          every_index (quick_ridge h (apex f) (corners e) (remove (apex f) (corners e)) X) 0
+            (ridges f)
       end
   end.
 End Quick.
@@ -252,7 +257,8 @@ End Quick.
 (** ** The whole *)
 
 (** What is asked of a tetrahedron besides that it is accepted. *)
-Definition settled_as (standing : option standing) (m : mesh) (t : positive) (e : simplex_entry) : bool :=
+Definition settled_as (standing : option standing) (m : mesh) (t : positive) (e : simplex_entry) :
+  bool :=
   match standing with None => true | Some s => settled_simplex space_predicates m s t e end.
 
 Definition sample_arrow (s : Word.t) (q : site) : arrow :=
@@ -282,19 +288,22 @@ Definition quick (p : packed) (standing : option standing) (s : Word.t) : bool :
      quick_simplex m (simplex_count p) points_count (rows_of p) places s here w standing t ||
      let e := entry_of Space (rows_of p) t in
      is_accepted (check_simplex pr m t e) && settled_as standing m t e) &&
-   is_accepted (each (fun h f => if quick_hull m points_count places s h f then Accepted else check_hull pr m h f) 1 (hull c))).
+   is_accepted (each (fun h f => if quick_hull m points_count places s h f then Accepted else
+     check_hull pr m h f) 1 (hull c))).
 
 (** ** The verdict *)
 
 Inductive verdict := Holds | Fails (c : condition) (p : place) | NotSettled (p : place).
 
-Definition judge (D : plane_or_space) (p : packed) (standing : option standing) (s : Word.t) : verdict :=
+Definition judge (D : plane_or_space) (p : packed) (standing : option standing) (s : Word.t) :
+  verdict :=
   if match D with Space => quick p standing s | Plane => false end then Holds
   else
     match check_packed D p with
     | Rejected why where_ => Fails why where_
     | Accepted => match standing with
                   | None => Holds
-                  | Some s => match settle_packed D p s with Settled => Holds | Unsettled where_ => NotSettled where_ end
+                  | Some s => match settle_packed D p s with Settled => Holds | Unsettled where_ =>
+                      NotSettled where_ end
                   end
     end.

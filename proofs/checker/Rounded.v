@@ -1,7 +1,8 @@
 (** * Coordinates as words: what is left out
 
-    A point of the quick check is three words, its coordinates without the last s binary digits; the difference of
-    two points, levelled, estimates the true one ([edge_estimated], [sample_estimated]). *)
+    A point of the quick check is three words, its coordinates without the last s binary digits; the
+    difference of two points, levelled, estimates the true one ([edge_estimated],
+    [sample_estimated]). *)
 From Coq Require Import ZArith List Bool Lia.
 From Circumspect Require Import Numbering Integers.
 From Circumspect Require Import Quick Estimates.
@@ -48,9 +49,11 @@ Proof.
   unfold fits. intros H. ands. apply Z.leb_le in H, H1. apply Z.ltb_lt in H0. auto.
 Qed.
 (** What was left out. *)
-Lemma shiftr_spec s x : 0 <= s -> 0 <= x - 2 ^ s * Z.shiftr x s < 2 ^ s /\ (s = 0 -> x = Z.shiftr x s).
+Lemma shiftr_spec s x : 0 <= s -> 0 <= x - 2 ^ s * Z.shiftr x s < 2 ^ s /\
+  (s = 0 -> x = Z.shiftr x s).
 Proof.
-  intros H. rewrite Z.shiftr_div_pow2 by assumption. pose proof (Z.pow_pos_nonneg 2 s ltac:(lia) H) as P.
+  intros H. rewrite Z.shiftr_div_pow2 by assumption.
+  pose proof (Z.pow_pos_nonneg 2 s ltac:(lia) H) as P.
   pose proof (Z.div_mod x (2 ^ s) ltac:(lia)). pose proof (Z.mod_pos_bound x (2 ^ s) P).
   split; [lia|]. intros ->. change (2 ^ 0) with 1. now rewrite Z.div_1_r.
 Qed.
@@ -63,9 +66,11 @@ Hypothesis few : count_of l <= 2 ^ 58.
 Notation places := (of_list (shifted s) (flat_map (fun e => coordinates (position e)) l)).
 
 Lemma nth_flat (i k : nat) : (k < 3)%nat -> forall e, nth_error l i = Some e ->
-  nth (3 * i + k) (flat_map (fun e => coordinates (position e)) l) 0 = nth k (coordinates (position e)) 0.
+  nth (3 * i + k) (flat_map (fun e => coordinates (position e)) l) 0 = nth k
+    (coordinates (position e)) 0.
 Proof.
-  intros K. clear all_fit few. revert i. induction l as [|e' l' IH]; intros [|i] e E; try discriminate.
+  intros K. clear all_fit few. revert i.
+  induction l as [|e' l' IH]; intros [|i] e E; try discriminate.
   - injection E as ->. cbn [flat_map]. apply Forall_inv in shapes. unfold well_shaped in shapes.
     apply app_nth1. lia.
   - cbn [flat_map]. pose proof (Forall_inv shapes) as Sh. unfold well_shaped in Sh.
@@ -78,7 +83,8 @@ Proof. unfold shifted. now rewrite Z.shiftr_0_l, Tauto.if_same. Qed.
 Lemma known_spec most v : known most v = true -> 1 <= v <= most.
 Proof. unfold known. intros H. ands. apply leb_le' in H, H0. auto. Qed.
 
-Lemma get_place v k e : 1 <= v <= count_of l -> 0 <= k < 3 -> nth_error l (Z.to_nat (v - 1)) = Some e ->
+Lemma get_place v k e : 1 <= v <= count_of l -> 0 <= k < 3 ->
+  nth_error l (Z.to_nat (v - 1)) = Some e ->
   get places (3 * (v - 1) + k) = Z.shiftr (nth (Z.to_nat k) (coordinates (position e)) 0) s.
 Proof.
   intros Hv Hk E. unfold get.
@@ -92,30 +98,36 @@ Proof.
   assert (F : fits s (nth (Z.to_nat k) (coordinates (position e)) 0) = true).
   { rewrite forallb_forall in all_fit. specialize (all_fit e (nth_error_In _ _ E)).
     rewrite forallb_forall in all_fit. apply all_fit. apply nth_In.
-    rewrite Forall_forall in shapes. specialize (shapes e (nth_error_In _ _ E)). unfold well_shaped in shapes. lia. }
+    rewrite Forall_forall in shapes. specialize (shapes e (nth_error_In _ _ E)).
+    unfold well_shaped in shapes. lia. }
   unfold shifted. rewrite F. apply wrap_small. apply fits_spec in F. lia.
 Qed.
 
 Lemma known_point cl v : weights_of cl = false -> known (count_of l) v = true ->
-  exists q, Table.find (to_pos v) (Table.of_list (site_of cl) l) = Some q /\ rounded s q (Quick.place_of places v).
+  exists q, Table.find (to_pos v) (Table.of_list (site_of cl) l) = Some q /\
+    rounded s q (arrow_to places v).
 Proof.
   intros Cl K. apply known_spec in K.
-  assert (B : v <= Z.of_nat (length l)) by (pose proof (wrap_below (Z.of_nat (length l)) ltac:(lia)); unfold count_of in K; lia).
+  assert (B : v <= Z.of_nat (length l))
+    by (pose proof (wrap_below (Z.of_nat (length l)) ltac:(lia)); unfold count_of in K; lia).
   assert (X : (Z.to_nat (v - 1) < length l)%nat) by lia.
   destruct (nth_error l (Z.to_nat (v - 1))) as [e|] eqn:E; [|apply nth_error_None in E; lia].
   exists (site_of cl e). split.
   - rewrite table_find. unfold numbered, to_pos.
     replace (pred (Pos.to_nat (Z.to_pos v))) with (Z.to_nat (v - 1)); [now rewrite E|].
     rewrite <- Z2Nat.inj_pos, Z2Pos.id by lia. lia.
-  - assert (Sh : well_shaped 3 (position e)) by (rewrite Forall_forall in shapes; apply shapes; now apply nth_error_In with (Z.to_nat (v - 1))).
+  - assert (Sh : well_shaped 3 (position e)) by (rewrite Forall_forall in shapes; apply shapes;
+      now apply nth_error_In with (Z.to_nat (v - 1))).
     assert (F : forallb (fits s) (coordinates (position e)) = true)
-      by (rewrite forallb_forall in all_fit; apply all_fit; now apply nth_error_In with (Z.to_nat (v - 1))).
+      by (rewrite forallb_forall in all_fit; apply all_fit;
+        now apply nth_error_In with (Z.to_nat (v - 1))).
     unfold site_of. rewrite Cl.
-    pose proof (get_place v 0 e K ltac:(lia) E) as G0. pose proof (get_place v 1 e K ltac:(lia) E) as G1.
+    pose proof (get_place v 0 e K ltac:(lia) E) as G0.
+    pose proof (get_place v 1 e K ltac:(lia) E) as G1.
     pose proof (get_place v 2 e K ltac:(lia) E) as G2.
     destruct (position e) as [[|x [|y [|z [|? ?]]]] w]; try discriminate Sh. cbn [coordinates] in *.
     exists x, y, z. cbn [forallb] in F. ands. repeat (split; [assumption || reflexivity|]).
-    unfold Quick.place_of. rewrite (sub_small v one (v - 1) eq_refl) by lia.
+    unfold arrow_to. rewrite (sub_small v one (v - 1) eq_refl) by lia.
     rewrite (mul_small three (v - 1) (3 * (v - 1) + 0)) by (unfold three; lia).
     rewrite (add_small _ one (3 * (v - 1) + 1)) by (unfold one; lia).
     rewrite (add_small _ two (3 * (v - 1) + 2)) by (unfold two; lia).
@@ -144,21 +156,22 @@ Proof.
   set (a := Z.shiftr x s) in *. set (b := Z.shiftr y s) in *. apply Z.abs_le. lia.
 Qed.
 
-Lemma within_spec most x : 0 <= most < 2 ^ 62 -> within most x = true -> Z.abs x <= most.
+Lemma at_most_spec most x : 0 <= most < 2 ^ 62 -> at_most most x = true -> Z.abs x <= most.
 Proof.
-  intros B. unfold within. intros H. ands. apply leb_le' in H, H0.
+  intros B. unfold at_most. intros H. ands. apply leb_le' in H, H0.
   rewrite (sub_small zero most (- most)) in H by (unfold zero; lia). lia.
 Qed.
 Lemma inside_spec most p : 0 <= most < 2 ^ 62 -> inside most p = true ->
   Z.abs (along_x p) <= most /\ Z.abs (along_y p) <= most /\ Z.abs (along_z p) <= most.
-Proof. intros B. unfold inside. intros H. ands. auto using within_spec. Qed.
+Proof. intros B. unfold inside. intros H. ands. auto using at_most_spec. Qed.
 
 Lemma up_one k : 0 <= k <= 61 -> up one k = 2 ^ k /\ 0 <= 2 ^ k < 2 ^ 62.
 Proof.
   intros H. assert (B : 0 <= 2 ^ k < 2 ^ 62).
   { split; [apply Z.pow_nonneg; lia|]. apply Z.pow_lt_mono_r; lia. }
   split; [|exact B]. unfold up.
-  assert (G : (0 <=? k) && (k <=? 62) = true) by (apply andb_true_intro; split; apply Z.leb_le; lia).
+  assert (G : (0 <=? k) && (k <=? 62) = true) by (apply andb_true_intro; split; apply Z.leb_le;
+    lia).
   rewrite G. unfold one. rewrite Z.mul_1_l. apply wrap_small. lia.
 Qed.
 
@@ -171,7 +184,8 @@ Lemma edge_estimated p q P Q b : rounded s p P -> rounded s q Q -> (b = 1 \/ b =
 Proof.
   intros (x & y & z & -> & Fx & Fy & Fz & ->) (x' & y' & z' & -> & Fx' & Fy' & Fz' & ->) Hb I.
   pose proof (fine_parts s n fine_n) as [Rn _].
-  apply inside_spec in I; [|pose proof (up_one n ltac:(lia)); pose proof (up_one (n + 1) ltac:(lia));
+  apply inside_spec in I; [|pose proof (up_one n ltac:(lia));
+    pose proof (up_one (n + 1) ltac:(lia));
     rewrite Z.pow_add_r in * by lia; destruct Hb as [-> | ->]; lia].
   apply (estimated_level s n fine_n _ _ b 1).
   - now apply fits_spec in Fx.
@@ -186,7 +200,8 @@ Proof.
 Qed.
 
 (** The sample point, seen from a vertex: w times the difference. *)
-Lemma sample_estimated sample_site p P x y z w : 0 < w <= 8 -> rounded s p P -> coordinates sample_site = [x; y; z] ->
+Lemma sample_estimated sample_site p P x y z w : 0 < w <= 8 -> rounded s p P ->
+  coordinates sample_site = [x; y; z] ->
   fits s x = true -> fits s y = true -> fits s z = true ->
   let q := Arrow (sub (Z.shiftr x s) (mul w (along_x P))) (sub (Z.shiftr y s) (mul w (along_y P)))
     (sub (Z.shiftr z s) (mul w (along_z P))) in
@@ -200,13 +215,17 @@ Proof.
   assert (G : forall x x', fits s x = true -> fits s x' = true ->
     let k := sub (Z.shiftr x s) (mul w (Z.shiftr x' s)) in
     (s = 0 -> x - w * x' = k) /\ Z.abs (x - w * x' - 2 ^ s * k) <= 2 ^ s * 8).
-  { clear - Hw. intros x x' Fx Fx' k. apply fits_spec in Fx, Fx'. destruct Fx as [Hs Bx], Fx' as [_ Bx'].
+  { clear - Hw. intros x x' Fx Fx' k. apply fits_spec in Fx, Fx'.
+    destruct Fx as [Hs Bx], Fx' as [_ Bx'].
     pose proof (shiftr_spec s x Hs) as [X X']. pose proof (shiftr_spec s x' Hs) as [Y Y'].
     assert (E : k = Z.shiftr x s - w * Z.shiftr x' s).
-    { unfold k. rewrite (mul_small w _ (w * Z.shiftr x' s) eq_refl) by nia. apply sub_small; [reflexivity|nia]. }
-    clearbody k. subst k. split; [intros Z0; specialize (X' Z0); specialize (Y' Z0); rewrite <- X', <- Y'; reflexivity|].
+    { unfold k. rewrite (mul_small w _ (w * Z.shiftr x' s) eq_refl) by nia.
+      apply sub_small; [reflexivity|nia]. }
+    clearbody k. subst k.
+    split; [intros Z0; specialize (X' Z0); specialize (Y' Z0); rewrite <- X', <- Y'; reflexivity|].
     set (a := Z.shiftr x s) in *. set (b := Z.shiftr x' s) in *.
-    replace (x - w * x' - 2 ^ s * (a - w * b)) with ((x - 2 ^ s * a) - w * (x' - 2 ^ s * b)) by ring.
+    replace (x - w * x' - 2 ^ s * (a - w * b)) with ((x - 2 ^ s * a) - w * (x' - 2 ^ s * b))
+      by ring.
     apply Z.abs_le. nia. }
   change 2 with (if 8 <=? 1 then 1 else 2) at 1. change 134217728 with (1 * 134217728).
   apply (estimated_level s n fine_n _ _ 1 8).

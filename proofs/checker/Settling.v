@@ -1,8 +1,8 @@
 (** * The only Delaunay triangulation, or the canonical one
 
     Of an accepted certificate these two further checks look at the same facets and points once
-    more.  [Unique]: every apex is strictly outside the circumball of the simplex on the other side, every
-    submerged point strictly above the witness plane.  [Canonical]: where one is on it, the
+    more.  [Unique]: every apex is strictly outside the circumball of the simplex on the other side,
+    every submerged point strictly above the witness plane.  [Canonical]: where one is on it, the
     perturbation decides: the first point, in the order of the list, that has a coefficient is a
     vertex of the simplex, with a positive barycentric coordinate of the apex. *)
 From Coq Require Import ZArith List Bool.
@@ -27,7 +27,8 @@ Definition first_positive (K : list positive) (X : list site) (k : positive) (p 
     (combine K (seq 0 (length K))).
 Definition decided (K : list positive) (X : list site) (k : positive) (p : site) : bool :=
   existsb (first_positive K X k p) (combine K (seq 0 (length K))).
-Definition settled (K : list positive) (X : list site) (n : list Z) (k : positive) (p : site) : bool :=
+Definition settled (K : list positive) (X : list site) (n : list Z) (k : positive) (p : site) :
+  bool :=
   let z := depth pr X n p in
   (z <? 0) ||
   match s with Unique => false | Canonical => (z =? 0) && decided K X k p end.

@@ -104,7 +104,8 @@ Proof.
   intros E Hi Ek.
   destruct (side_bary Or Co c accepts geo frames t e i (site_at d c k) 1 E Hi
     (site_shaped dim_d accepts k) ltac:(lia)) as (q & Q & Eq).
-  exists q. split; [assumption|]. rewrite (spot_site d c k p Ek). now replace (r / 1) with r in Eq by field.
+  exists q. split; [assumption|]. rewrite (spot_site d c k p Ek).
+  now replace (r / 1) with r in Eq by field.
 Qed.
 
 Notation sites e := (sites_of (d := d) (c := c) e).
@@ -255,12 +256,12 @@ Notation T := (simplices_of_certificate d c).
 Notation mesh := (certificate_matched Or Co c accepts geo frames).
 Notation once := (certificate_covered_once Or Co c accepts geo frames).
 Notation support := (certificate_supporting Or Co c accepts geo frames).
-Notation within := (vertices_in Co c accepts geo frames).
+Notation vertices_are_points := (vertices_in Co c accepts geo frames).
 
 Lemma perturbed_all : exists e0, 0 < e0 /\ forall e, 0 < e < e0 -> forall t, In t T ->
   witness_plane (perturbed S h e) S t.
 Proof.
-  destruct (perturbed_planes mesh within support Pos.eq_dec once h) as (e0 & P & K).
+  destruct (perturbed_planes mesh vertices_are_points support Pos.eq_dec once h) as (e0 & P & K).
   - intros t i u j Ht A. destruct (good_facets t i u j Ht A) as [[G _]|[G _]]; [now left|now right].
   - intros p Hp. destruct (good_points p Hp) as [V|(u & Hu & I & [G _])]; [now left|right].
     now exists u.
@@ -275,8 +276,8 @@ Proof.
   intros Us FT FU W. apply (filled_same S T U FT FU). intros t Ht.
   rewrite <- (certificate_simplices c geo frames) in Ht.
   apply in_map_iff in Ht. destruct Ht as (k & <- & Hk).
-  apply (strictly_in (tets := tets) (geo := geo) within h U); try assumption.
-  apply (strictly_above mesh within support Pos.eq_dec once h).
+  apply (strictly_in (tets := tets) (geo := geo) vertices_are_points h U); try assumption.
+  apply (strictly_above mesh vertices_are_points support Pos.eq_dec once h).
   - intros a i u j Ha A. destruct (good_facets a i u j Ha A) as [[_ G]|[_ G]];
       [left|right]; now apply G.
   - intros p Hp. destruct (good_points p Hp) as [V|(u & Hu & I & [_ G])]; [now left|right].
@@ -322,7 +323,8 @@ Proof.
     { intros k e E. unfold height_of, site_at, site_of. rewrite E.
       destruct (claimed c); [discriminate| |]; cbn [lifted weights_of weight].
       - rewrite (spot_numbered d c k e E). unfold place_of. cbn [coordinates]. ring.
-      - rewrite (spot_numbered d c k e E), W; [reflexivity|reflexivity|now apply numbered_in with k]. }
+      - rewrite (spot_numbered d c k e E), W;
+          [reflexivity|reflexivity|now apply numbered_in with k]. }
     split.
     - split; [assumption|].
       destruct (perturbed_all Or Co c A s Se geo frames _ Hs) as (e0 & P & K).

@@ -1,8 +1,9 @@
 (** * Tables: things that are found by their numbers
 
     To the proofs a table is the list of the things, numbered from 1.  The extracted program has
-    arrays instead ([ocaml/table.ml]), so that finding takes no longer than looking, and functions that make
-    a thing when it is looked for or asked for: that they do the same is trusted, and tested. *)
+    arrays instead ([ocaml/table.ml]), so that finding takes no longer than looking, and functions
+    that make a thing when it is looked for or asked for: that they do the same is trusted, and
+    tested. *)
 From Coq Require Import List PArith.
 From Circumspect Require Import Definitions.
 From Circumspect Require Word.

@@ -2,9 +2,9 @@
 
     To the proofs a word is an integer, and what comes of words is wrapped round to 63 bits, as
     OCaml's [int] does on machines of 64 bits.  The extracted program has [int] instead, and for
-    lists of words arrays of memory without pointers ([ocaml/word.ml], [ocaml/words.ml]): that these do the
-    same is trusted, and tested.  That nothing is in fact wrapped round where a sign is told, is proved
-    ([Estimates.v]). *)
+    lists of words arrays of memory without pointers ([ocaml/word.ml], [ocaml/words.ml]): that these
+    do the same is trusted, and tested.  That nothing is in fact wrapped round where a sign is told,
+    is proved ([Estimates.v]). *)
 From Coq Require Import ZArith List Bool.
 Import ListNotations.
 Open Scope Z_scope.
@@ -28,7 +28,8 @@ Definition mul (x y : t) : t := wrap (x * y).
 Definition ltb (x y : t) : bool := x <? y.
 Definition leb (x y : t) : bool := x <=? y.
 Definition eqb (x y : t) : bool := x =? y.
-(** Shifts: [x] times or divided by a power of two.  Where [k] is none of 0 ... 62 the result is 0. *)
+(** Shifts: [x] times or divided by a power of two.  Where [k] is none of 0 ... 62 the result is
+    0. *)
 Definition up (x k : t) : t := if (0 <=? k) && (k <=? 62) then wrap (x * 2 ^ k) else 0.
 Definition down (x k : t) : t := if (0 <=? k) && (k <=? 62) then x / 2 ^ k else 0.
 Definition down26 (x : t) : t := x / 2 ^ 26.

@@ -186,7 +186,7 @@ Proof.
     destruct (Pos.ltb t u); [|reflexivity]. cbn [andb].
     destruct (listed_corner_of c geo G u s' j E' Hj) as (v & Ev & _). rewrite Ev.
     destruct (corner_known c HL u s' v E' (nth_error_In _ _ Ev)) as (e & Ek).
-    rewrite (find_corner v e Ek). unfold Checker.locally_delaunay.
+    rewrite (find_corner v e Ek). unfold apex_outside.
     pose proof (depth_low t s v e Cl E Ek) as L. apply Z.leb_le in L. now rewrite L.
   - destruct (honest_on_hull _ _ H t s i g E W) as ((f & Ef & C & A) & _).
     unfold names_hull. rewrite find_hull, Ef, C, A, Pos.eqb_refl, Nat.eqb_refl. reflexivity.

@@ -78,11 +78,13 @@ Lemma entry_facet h f : hull_at h f -> exists s, simplex_at (Definitions.carrier
 Proof.
   intros E. destruct (honest_hull _ _ H h f E) as (s & Es & W). exists s.
   split; [assumption|]. split; [assumption|].
-  destruct (on_hull_outer Co positive_d c H geo G (Definitions.carrier f) s (apex f) h Es W) as (Hi &
+  destruct (on_hull_outer Co positive_d c H geo G (Definitions.carrier f) s (apex f) h Es W)
+    as (Hi &
     O).
   split; [now apply (in_tets c _ s Es)|]. now split.
 Qed.
-Lemma entry_once h f g f' : hull_at h f -> hull_at g f' -> Definitions.carrier f = Definitions.carrier f' ->
+Lemma entry_once h f g f' : hull_at h f -> hull_at g f' ->
+  Definitions.carrier f = Definitions.carrier f' ->
   apex f = apex f' -> h = g.
 Proof.
   intros E E' C A. destruct (entry_facet h f E) as (s & Es & W & _).

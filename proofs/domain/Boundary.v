@@ -1,10 +1,12 @@
 (** * The boundary of what the marked simplices cover
 
-    From a point of the marked simplices one gets away from them at once if and only if it is on a facet of
-    one of them that has no marked simplex beyond it ([boundary_facets]): otherwise all simplices around
-    the point are marked, by the walk of [Enclosed.v], whose walls are here the facets where marks differ. *)
+    From a point of the marked simplices one gets away from them at once if and only if it is on a
+    facet of one of them that has no marked simplex beyond it ([boundary_facets]): otherwise all
+    simplices around the point are marked, by the walk of [Enclosed.v], whose walls are here the
+    facets where marks differ. *)
 From Coq Require Import Rbase Rfunctions Lra List Arith Lia Bool.
-From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched Faces Facets Adjacency Enclosed.
+From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched Faces Facets
+  Adjacency Enclosed.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -31,11 +33,14 @@ Definition differs t i : Prop := marked t = true /\ exposed t i \/
   marked t = false /\ exists u j, adj t i u j /\ marked u = true.
 
 Lemma adjacent_back t i u j : adj t i u j -> adj u j t i.
-Proof. intros (Ht & Hu & O). split; [assumption|]. split; [assumption|]. now apply opposite_sym. Qed.
+Proof.
+  intros (Ht & Hu & O). split; [assumption|]. split; [assumption|]. now apply opposite_sym.
+Qed.
 Lemma neighbour_once t i u j u' j' : adj t i u j -> adj t i u' j' -> u = u'.
 Proof.
   intros (_ & Hu & O) (Ht & Hu' & O').
-  apply (one_neighbour tets geo positive agreeing different u j u' j' t i Hu Hu'); now apply opposite_sym.
+  apply (one_neighbour tets geo positive agreeing different u j u' j' t i Hu Hu');
+    now apply opposite_sym.
 Qed.
 Lemma differs_dec t i : In t tets -> differs t i \/ ~ differs t i.
 Proof.
@@ -52,7 +57,8 @@ Proof.
     + right. intros [(X & _)|(_ & u & j & Ad & _)]; [discriminate|now apply O in Ad].
 Qed.
 
-Definition rift (q : point d) : Prop := exists t i, In t tets /\ (i <= d)%nat /\ differs t i /\ on_facet t i q.
+Definition rift (q : point d) : Prop := exists t i, In t tets /\ (i <= d)%nat /\ differs t i /\
+  on_facet t i q.
 Lemma facet_dec t i q : on_facet t i q \/ ~ on_facet t i q.
 Proof.
   unfold Enclosed.on_facet. destruct (Req_EM_T (bary (geo t) i q) 0) as [Z|Z]; [|right; tauto].
@@ -63,17 +69,21 @@ Proof.
 Qed.
 Lemma rift_dec q : rift q \/ ~ rift q.
 Proof.
-  assert (D : forall l, incl l tets -> (exists t i, In t l /\ (i <= d)%nat /\ differs t i /\ on_facet t i q) \/
+  assert (D : forall l, incl l tets -> (exists t i, In t l /\ (i <= d)%nat /\ differs t i /\
+    on_facet t i q) \/
     ~ exists t i, In t l /\ (i <= d)%nat /\ differs t i /\ on_facet t i q).
   { induction l as [|t l IH]; intros I; [right; intros (t & i & [] & _)|].
     assert (Ht : In t tets) by (apply I; now left).
     assert (One : forall n, (exists i, (i < n)%nat /\ differs t i /\ on_facet t i q) \/
       ~ exists i, (i < n)%nat /\ differs t i /\ on_facet t i q).
-    { induction n as [|n [(i & Hi & X)|N]]; [right; intros (i & Hi & _); lia|left; exists i; split; [lia|assumption]|].
+    { induction n as [|n [(i & Hi & X)|N]]; [right; intros (i & Hi & _); lia|left; exists i; split;
+        [lia|assumption]|].
       destruct (differs_dec t n Ht) as [Y|Y]; [|right].
       - destruct (facet_dec t n q) as [Z|Z]; [left; exists n; auto|right].
-        intros (i & Hi & X). destruct (Nat.eq_dec i n) as [->|]; [tauto|]. apply N. exists i. split; [lia|assumption].
-      - intros (i & Hi & X). destruct (Nat.eq_dec i n) as [->|]; [tauto|]. apply N. exists i. split; [lia|assumption]. }
+        intros (i & Hi & X). destruct (Nat.eq_dec i n) as [->|]; [tauto|]. apply N. exists i.
+        split; [lia|assumption].
+      - intros (i & Hi & X). destruct (Nat.eq_dec i n) as [->|]; [tauto|]. apply N. exists i.
+        split; [lia|assumption]. }
     destruct (One (S d)) as [(i & Hi & X)|N].
     - left. exists t, i. split; [now left|]. split; [lia|assumption].
     - destruct IH as [(u & i & Hu & X)|M]; [intros x Hx; apply I; now right| |].
@@ -88,7 +98,8 @@ Lemma a_little_inside u q r : inside_closed (geo u) q ->
   exists s, 0 < s <= 1 /\ inside_closed (geo u) (mix q r s).
 Proof.
   intros I L.
-  destruct (nearby (map (bary (geo u)) (filter (fun k => if Rlt_dec 0 (bary (geo u) k q) then true else false)
+  destruct (nearby (map (bary (geo u)) (filter (fun k => if Rlt_dec 0 (bary (geo u) k q) then
+    true else false)
     (seq 0 (S d)))) q r) as (e & He & K).
   { intros g Hg. apply in_map_iff in Hg. destruct Hg as (k & <- & Hk). apply filter_In in Hk.
     destruct Hk as [Hk P]. apply in_seq_d in Hk. split; [now apply bary_affine|].
@@ -113,7 +124,8 @@ Proof.
       * right. exists t, i. split; [now apply adjacent_back|assumption].
       * destruct F as [Z I]. apply conv_vertices in I.
         assert (C : conv (facet_of (geo t) i) q).
-        { apply (conv_face (geo t) _ q (facet_of_incl (geo t) i Hi)). split; [now apply conv_vertices|].
+        { apply (conv_face (geo t) _ q (facet_of_incl (geo t) i Hi)).
+          split; [now apply conv_vertices|].
           intros k Hk P. apply in_facet_of; [assumption|]. exists k. repeat split; try assumption.
           intros ->. lra. }
         apply (conv_same _ _ q S) in C.
@@ -125,7 +137,8 @@ Proof.
       destruct (leads_on tets geo V positive fills_hull differs rift
         (fun q => iff_refl _) marked) with (z := q) (t := t0) (y := r)
         as (u & Hu & Mu & Iu & L); auto.
-      * intros t i u j Ad Nd. destruct (marked t) eqn:Mt, (marked u) eqn:Mu; try reflexivity; exfalso; apply Nd.
+      * intros t i u j Ad Nd. destruct (marked t) eqn:Mt, (marked u) eqn:Mu; try reflexivity;
+          exfalso; apply Nd.
         -- left. split; [assumption|]. right. eauto.
         -- right. split; [assumption|]. eauto.
       * intros t i Ht Hi O Mt. left. split; [assumption|]. now left.

@@ -20,7 +20,9 @@ Proof.
 Qed.
 Lemma total_scaled c (l : list (R * point d)) :
   total (map (fun ap => (c * fst ap, snd ap)) l) = c * total l.
-Proof. induction l as [|[a p] l IH]; cbn [map fst snd]; [cbn; ring|]. rewrite !total_cons, IH. ring. Qed.
+Proof.
+  induction l as [|[a p] l IH]; cbn [map fst snd]; [cbn; ring|]. rewrite !total_cons, IH. ring.
+Qed.
 Lemma combination_scaled c (l : list (R * point d)) :
   combination (map (fun ap => (c * fst ap, snd ap)) l) = scale c (combination l).
 Proof.
@@ -44,10 +46,12 @@ Proof.
       destruct (K b' v' I). split; [now apply Rmult_le_pos|assumption].
     - rewrite total_app, total_scaled, total_cons, Tk, Tm. ring.
     - rewrite combination_app, combination_scaled, combination_cons, Ck, Cm. reflexivity. }
-  destruct (G l L) as (m & M & Tm & Cm). exists m. split; [assumption|]. split; [congruence|assumption].
+  destruct (G l L) as (m & M & Tm & Cm). exists m. split; [assumption|].
+  split; [congruence|assumption].
 Qed.
 (** A positive multiple of the point is combined. *)
-Lemma conv_of_multiple (l : list (R * point d)) q : (forall a p, In (a, p) l -> 0 <= a) -> 0 < total l ->
+Lemma conv_of_multiple (l : list (R * point d)) q : (forall a p, In (a, p) l -> 0 <= a) ->
+  0 < total l ->
   scale (total l) q = combination l -> forall X, (forall a p, In (a, p) l -> In p X) -> conv X q.
 Proof.
   intros P T E X I. exists (map (fun ap => (/ total l * fst ap, snd ap)) l). split; [|split].
@@ -65,7 +69,8 @@ Proof.
   split.
   - intros (l & L & T & <-).
     assert (G : forall l, (forall c p, In (c, p) l -> 0 <= c /\ In p [a; b]) ->
-      exists u v, 0 <= u /\ 0 <= v /\ total l = u + v /\ combination l = plus (scale u a) (scale v b)).
+      exists u v, 0 <= u /\ 0 <= v /\ total l = u + v /\
+        combination l = plus (scale u a) (scale v b)).
     { clear l L T. induction l as [|[c p] l IH]; intros L.
       { exists 0, 0. repeat split; try (cbn; lra). now rewrite !scale_zero, plus_origin. }
       destruct IH as (u & v & U & V & T & C); [intros; apply L; now right|].
@@ -97,7 +102,8 @@ Proof.
   apply affine_separate. intros f F. change (between (d := d)) with (mix (d := d)).
   rewrite affine_mix by assumption. ring.
 Qed.
-Lemma conv_part (a b : point d) s r t : s <= t <= r -> conv [between a b s; between a b r] (between a b t).
+Lemma conv_part (a b : point d) s r t : s <= t <= r ->
+  conv [between a b s; between a b r] (between a b t).
 Proof.
   intros H. apply conv_two. destruct (Req_dec s r) as [E|N].
   - exists 0. split; [lra|]. rewrite between_start. f_equal. lra.
@@ -112,7 +118,8 @@ Qed.
 Lemma conv_singleton (a : point d) q : conv [a] q <-> q = a.
 Proof.
   split; [|intros ->; apply conv_point; now left].
-  intros C. assert (C' : conv [a; a] q) by (apply (conv_incl [a]); [intros x [<-|[]]; now left|assumption]).
+  intros C.
+  assert (C' : conv [a; a] q) by (apply (conv_incl [a]); [intros x [<-|[]]; now left|assumption]).
   apply conv_two in C'. destruct C' as (s & _ & ->). unfold between.
   rewrite <- plus_scale. replace (1 - s + s) with 1 by ring. apply scale_one.
 Qed.
@@ -231,5 +238,6 @@ Proof.
   unfold ratio. replace (inner_product _ (differences (coordinates a) (coordinates a))) with 0%Z.
   - unfold Rdiv. ring.
   - generalize (differences (coordinates b) (coordinates a)).
-    induction (coordinates a) as [|x k IH]; intros [|y l]; cbn; try reflexivity. rewrite <- IH. ring.
+    induction (coordinates a) as [|x k IH]; intros [|y l]; cbn; try reflexivity. rewrite <- IH.
+    ring.
 Qed.

@@ -1,9 +1,9 @@
 (** * The checker of what shows that a domain is a piecewise linear complex (Definition 4.3)
 
-    [check_complex] is extracted; [ComplexSound.v] proves what its acceptance means.  The certificate of
-    the domain and its mesh is accepted already: so each segment and each polygon is a union of faces
-    of the mesh, which is a complex.  Each of these faces is held by one segment or polygon, which the
-    certificate names; so others meet only in what they share by name. *)
+    [check_complex] is extracted; [ComplexSound.v] proves what its acceptance means.  The
+    certificate of the domain and its mesh is accepted already: so each segment and each polygon is
+    a union of faces of the mesh, which is a complex.  Each of these faces is held by one segment or
+    polygon, which the certificate names; so others meet only in what they share by name. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export DomainChecker.
 Import ListNotations.
@@ -88,12 +88,14 @@ Definition sided (n t : positive) (i : nat) : bool :=
   | Some b, Some e => Bool.eqb (exposed_at marks_of e i) b
   | _, _ => false
   end.
-(** [one-sided-shown]: of the facets of a kept simplex, and of the links of a segment in the plane. *)
+(** [one-sided-shown]: of the facets of a kept simplex, and of the links of a segment in the
+    plane. *)
 Definition check_sides (t : positive) (s : simplex_entry) (e : mark) : result :=
   if kept e then
     each_index (fun i f =>
       require one_sided_shown by
-        match flag e i with Some w => sided (fst w) t i | None => true end at AtFacet t i; Accepted) 0 (walls s)
+        match flag e i with Some w => sided (fst w) t i | None => true end at AtFacet t i;
+          Accepted) 0 (walls s)
   else Accepted.
 Definition check_links (n : positive) (s : segment_entry) : result :=
   require one_sided_shown by
@@ -107,7 +109,8 @@ Definition check_sides_of (c : certificate) (p : part) (sides : list bool) : res
 (** In the plane, of segments. *)
 Definition check_plane_sides (c : certificate) (p : part) (sides : list bool) : result :=
   check_sides_of c p sides ;;
-  each (check_links (mesh_of c) (Table.of_list id (marks p)) (Table.of_list id sides)) 1 (segments p).
+  each (check_links (mesh_of c) (Table.of_list id (marks p)) (Table.of_list id sides)) 1
+    (segments p).
 
 (** ** Polygons *)
 
@@ -123,15 +126,18 @@ Notation part2 := (plane_part f).
 Notation mesh2 := (plane_mesh f).
 
 (** [rim-listed]: its own segments are segments of the domain. *)
-Definition check_rim (above_of : Table.t positive) (n : positive) (s : segment_entry) (kb : positive * bool) :
+Definition check_rim (above_of : Table.t positive) (n : positive) (s : segment_entry)
+  (kb : positive * bool) :
     result :=
   require rim_listed by
-    match Table.find (fst kb) segments_of, Table.find (from s) above_of, Table.find (last_reached s) above_of with
+    match Table.find (fst kb) segments_of, Table.find (from s) above_of,
+      Table.find (last_reached s) above_of with
     | Some t, Some a, Some b => same_members [a; b] [from t; last_reached t]
     | _, _, _ => false
     end at AtSegment n; Accepted.
 (** [segment-in-polygon] *)
-Fixpoint steps_in (above_of : Table.t positive) (pieces_of : Table.t simplex_entry) (marks2 : Table.t mark)
+Fixpoint steps_in (above_of : Table.t positive) (pieces_of : Table.t simplex_entry)
+  (marks2 : Table.t mark)
     (u : positive) (l : list link) (ts : list positive) : bool :=
   match l, ts with
   | [], [] => true
@@ -143,13 +149,15 @@ Fixpoint steps_in (above_of : Table.t positive) (pieces_of : Table.t simplex_ent
       end && steps_in above_of pieces_of marks2 (reached s) l' ts'
   | _, _ => false
   end.
-Definition check_segment_in above_of pieces_of marks2 (n : positive) (kt : positive * list positive) : result :=
+Definition check_segment_in above_of pieces_of marks2 (n : positive) (kt : positive * list positive)
+  : result :=
   require segment_in_polygon by
     match Table.find (fst kt) segments_of with
     | Some s => steps_in above_of pieces_of marks2 (from s) (links s) (snd kt)
     | None => false
     end at AtSegment n; Accepted.
-Definition check_piece above_of (k : positive) (inside : list positive) (t : positive) (s : simplex_entry)
+Definition check_piece above_of (k : positive) (inside : list positive) (t : positive)
+  (s : simplex_entry)
     (e : mark) : result :=
   require face_held by
     negb (kept e) ||
@@ -174,7 +182,8 @@ End Polygon.
 
 (** ** The whole *)
 
-Definition check_complex (D : plane_or_space) (c : domain_certificate) (x : complex_part) : result :=
+Definition check_complex (D : plane_or_space) (c : domain_certificate) (x : complex_part) :
+  result :=
   let p := domain_part c in
   let mesh := whole_mesh c in
   let m := mesh_of mesh in

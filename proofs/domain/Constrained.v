@@ -1,14 +1,16 @@
 (** * The Constrained Delaunay Lemma, for the kept simplices  (Book: Lemma 4.10, (iii) => (i))
 
-    If across each facet that is in no wall the neighbour's apex is not in the circumball, then no vertex
-    that can be seen from inside a simplex is ([Sight.v]); and each simplex respects the domain, for its
-    cells are unions of simplices. *)
+    If across each facet that is in no wall the neighbour's apex is not in the circumball, then no
+    vertex that can be seen from inside a simplex is ([Sight.v]); and each simplex respects the
+    domain, for its cells are unions of simplices. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
-From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap DelaunayLemma.
+From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap
+  DelaunayLemma.
 From Circumspect Require Import Adjacency Enclosed Combinations Sight.
 From Circumspect Require Import Orientation Integers Incidence Accepted CertifiedMesh Soundness.
-From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary DomainRules Definitions Domains Solid.
+From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary DomainRules
+  Definitions Domains Solid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -35,14 +37,16 @@ Lemma local_parts : each_pair mark_consistent AtSimplex
   (check_local_simplex pr (mesh_of c)) 1 (simplices c) (marks p) = Accepted.
 Proof. pose proof local_accepts as H. unfold check_local in H. destruct (kind D); now accepted. Qed.
 (** Of a hull, too, a flag is shown. *)
-Lemma hull_flag_shown t e i : kind D = Hull -> entry t e -> (i <= d)%nat -> flagged_at marks_of t i = true ->
+Lemma hull_flag_shown t e i : kind D = Hull -> entry t e -> (i <= d)%nat ->
+  flagged_at marks_of t i = true ->
   exists w, shown (corners e) i w = true.
 Proof.
   intros K E Hi F. pose proof local_accepts as H. unfold check_local in H. rewrite K in H.
   destruct (each_pair _ _ (check_flags shown) _ _ _) eqn:Fl; [|discriminate]. clear H.
   destruct (wall_exists Co positive_d c accepts t e i E Hi) as (f & W).
   destruct (mark_of c p planar (kind D) shown part_accepts t e E) as (k & Ek & _).
-  apply each_pair_accepted in Fl. destruct Fl as [_ Fl]. specialize (Fl t e k E Ek). unfold check_flags in Fl.
+  apply each_pair_accepted in Fl. destruct Fl as [_ Fl]. specialize (Fl t e k E Ek).
+  unfold check_flags in Fl.
   apply (each_index_accepted _ _ Fl) in W. cbn beta in W. accepted.
   apply (wall_at_flag p t k i Ek) in F. destruct F as (w & Fw). rewrite Fw in *. now exists w.
 Qed.
@@ -66,7 +70,8 @@ Lemma heights k e : numbered (points c) k = Some e ->
   norm2 (spot k) = @height_of d r (site_at d c k).
 Proof.
   intros E. rewrite (spot_site d c k e E). unfold height_of, site_at, site_of. rewrite E.
-  destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _). rewrite W. cbn [weight]. ring.
+  destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _). rewrite W. cbn [weight].
+  ring.
 Qed.
 
 (** The facet is looked at from the simplex of the smaller number. *)
@@ -89,7 +94,7 @@ Proof.
   apply in_tets in Hu. destruct Hu as (e' & E'). rewrite E' in W.
   destruct (corner_vertex Co c geo frames u e' j E' Hj) as (v & Ev & Vv). rewrite Ev in W. accepted.
   apply (find_point_site (d := d)) in Heqo. destruct Heqo as [<- (x & Ex)].
-  unfold locally_delaunay in *. apply Z.leb_le, IZR_le in Heqb.
+  unfold apex_outside in *. apply Z.leb_le, IZR_le in Heqb.
   unfold locally_above. rewrite Vv, (spot_site d c v x Ex).
   pose proof (heights v x Ex) as Hv. rewrite (spot_site d c v x Ex) in Hv.
   destruct (depth_witness Or Co c accepts geo frames norm2 heights t e (site_at d c v) E
@@ -98,41 +103,52 @@ Proof.
 Qed.
 Lemma never_itself t i j : ~ adjacent kept_tets geo t i t j.
 Proof.
-  intros (_ & _ & Hi & Hj & _ & _ & Neg). rewrite bary_vertex in Neg by assumption. destruct (Nat.eq_dec i j); lra.
+  intros (_ & _ & Hi & Hj & _ & _ & Neg). rewrite bary_vertex in Neg by assumption.
+  destruct (Nat.eq_dec i j); lra.
 Qed.
 
 (** ** Of a hull *)
 
-Theorem kept_constrained_hull (P : domain d) (V : list (point d)) : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull ->
+Theorem kept_constrained_hull (P : domain d) (V : list (point d)) : (2 <= d)%nat ->
+  proper_domain P -> what_it_fills P = Hull ->
   solid_triangulation P T ->
   (forall t e i, entry t e -> (i <= d)%nat -> flagged_at marks_of t i = true ->
     exists X, In X (wall_cells P) /\ within (conv (map spot (Checker.remove i (corners e)))) X) ->
-  (forall v, In v V <-> exists t, In t T /\ In v t) -> forall t, In t T -> constrained_delaunay V P t.
+  (forall v, In v V <-> exists t, In t T /\ In v t) -> forall t, In t T ->
+    constrained_delaunay V P t.
 Proof.
-  intros Two Pr K St Fl HV. apply (local_constrained_hull Two P T V Pr St HV K). intros f (Nf & Lf & _) NW s t Is It Fs Ft NS.
+  intros Two Pr K St Fl HV. apply (local_constrained_hull Two P T V Pr St HV K).
+  intros f (Nf & Lf & _) NW s t Is It Fs Ft NS.
   apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Is, It.
   destruct Is as (a & e & E & Ka & ->), It as (b & e' & E' & Kb & ->).
   rewrite <- (entry_vertices c geo frames a e E), <- (entry_vertices c geo frames b e' E') in *.
-  destruct (facet_index (geo a) f Nf Lf Fs) as (i & Hi & Ei). destruct (facet_index (geo b) f Nf Lf Ft) as (j & Hj & Ej).
+  destruct (facet_index (geo a) f Nf Lf Fs) as (i & Hi & Ei).
+  destruct (facet_index (geo b) f Nf Lf Ft) as (j & Hj & Ej).
   assert (Ia : In a kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
   assert (Ib : In b kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
   assert (O : opposite (geo a) i (geo b) j).
   { apply (shared_facet kept_tets geo positive_d agreeing' different'); auto.
     - intros ->. apply NS. split; apply incl_refl.
     - destruct Ei, Ej. split; eauto using incl_tran. }
-  assert (Free : forall u x l, entry u x -> (l <= d)%nat -> same f (facet_of (geo u) l) -> ~ wall_at p u l).
-  { intros u x l Ex Hl El W. destruct (Fl u x l Ex Hl W) as (X & IX & In_). apply (NW X IX). intros q Cq. apply In_.
-    apply (on_facet_entry Co positive_d c geo frames u x l q Ex Hl). apply on_facet_conv; [assumption..|].
+  assert (Free : forall u x l, entry u x -> (l <= d)%nat -> same f (facet_of (geo u) l) ->
+    ~ wall_at p u l).
+  { intros u x l Ex Hl El W. destruct (Fl u x l Ex Hl W) as (X & IX & In_). apply (NW X IX).
+    intros q Cq. apply In_.
+    apply (on_facet_entry Co positive_d c geo frames u x l q Ex Hl).
+    apply on_facet_conv; [assumption..|].
     apply (conv_incl f); [apply El|assumption]. }
   assert (A : adjacent kept_tets geo a i b j) by (split; [assumption|now split]).
   assert (Above : locally_above norm2 (geo a) (geo b) j).
   { destruct (Pos.lt_total a b) as [Lt|[->|Gt]].
     - apply (looked_at a i b j A); [|assumption]. now apply (Free a e).
     - now apply never_itself in A.
-    - apply (locally_above_symmetric norm2 (geo a) i (geo b) j O), (looked_at b j a i (adjacent_sym _ _ _ _ _ _ A)); [|assumption].
+    - apply (locally_above_symmetric norm2 (geo a) i (geo b) j O),
+        (looked_at b j a i (adjacent_sym _ _ _ _ _ _ A)); [|assumption].
       now apply (Free b e'). }
-  destruct (circumball_frame (geo a)) as (o & r2 & C & _). exists o, r2. split; [intros v Iv; apply C; auto|].
-  intros v [Iv|Iv] L; [rewrite (C v Iv) in L; lra|]. apply in_vertices in Iv. destruct Iv as (k & Hk & ->).
+  destruct (circumball_frame (geo a)) as (o & r2 & C & _). exists o, r2.
+  split; [intros v Iv; apply C; auto|].
+  intros v [Iv|Iv] L; [rewrite (C v Iv) in L; lra|]. apply in_vertices in Iv.
+  destruct Iv as (k & Hk & ->).
   destruct (Nat.eq_dec k j) as [->|N].
   - apply (in_ball_below_witness _ _ _ _ C) in L. unfold locally_above in Above. lra.
   - rewrite C in L; [lra|]. apply Fs, Ej, in_facet_of; [assumption|]. eauto.
@@ -141,17 +157,21 @@ Qed.
 (** ** Of what is enclosed *)
 
 Hypothesis is_enclosed : kind D = Enclosed.
-Lemma kept_outer_wall t i : In t kept_tets -> (i <= d)%nat -> outer kept_tets geo t i -> wall_at p t i.
+Lemma kept_outer_wall t i : In t kept_tets -> (i <= d)%nat -> outer kept_tets geo t i ->
+  wall_at p t i.
 Proof.
   intros Ht Hi O. apply in_kept_tets in Ht. destruct Ht as [Ht K].
   unfold wall_at. destruct (flagged_at marks_of t i) eqn:F; [reflexivity|exfalso].
   assert (N : ~ wall_at p t i) by (unfold wall_at; congruence).
   destruct (adjacent_dec (tets c) geo t i Ht) as [(u & j & A)|O'].
-  - pose proof (same_across Or Co positive_d c accepts p planar (kind D) shown part_accepts geo frames
+  - pose proof (same_across Or Co positive_d c accepts p planar (kind D) shown part_accepts geo
+      frames
       is_enclosed t i u j A N) as S.
-    destruct A as (_ & Hu & Op). apply (O u j). split; [now apply in_kept_tets|]. split; [|assumption].
+    destruct A as (_ & Hu & Op). apply (O u j). split; [now apply in_kept_tets|].
+    split; [|assumption].
     apply in_kept_tets. split; [assumption|congruence].
-  - apply N. now apply (kept_closed_off Or Co positive_d c accepts p planar (kind D) shown part_accepts
+  - apply N.
+    now apply (kept_closed_off Or Co positive_d c accepts p planar (kind D) shown part_accepts
       geo frames is_enclosed).
 Qed.
 
@@ -169,7 +189,8 @@ Qed.
 
 (** What is visible is seen: the segment leaves neither the kept simplices nor meets a wall. *)
 Lemma visible_sees (P : domain d) t x v : solid_triangulation P T ->
-  (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y -> walls_in c p geo y) ->
+  (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y ->
+    walls_in c p geo y) ->
   In t kept_tets -> inside (geo t) x -> visible P x v ->
   sees kept_tets geo (wall_at p) x v.
 Proof.
@@ -178,7 +199,8 @@ Proof.
   apply in_kept_tets in Ht. destruct Ht as [Ht _]. split.
   - apply Sub, Eq in C. destruct C as (u & Hu & Q).
     apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Hu.
-    destruct Hu as (a & e & E & K & ->). exists a. split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|].
+    destruct Hu as (a & e & E & K & ->). exists a.
+    split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|].
     rewrite <- (entry_vertices c geo frames a e E) in Q. now apply conv_vertices.
   - intros a i Ha Hi W O. apply in_kept_tets in Ha. destruct Ha as [Ha _].
     destruct (Wa (mix x v s)) as (X & IX & Xs & XW); [exists a, i; auto|].
@@ -186,7 +208,8 @@ Proof.
     { intros y Iy Xy. apply XW in Xy. destruct Xy as (b & k & Hb & Hk & _ & Z & Cl).
       assert (t = b) as <- by now apply (inside_once (tets c) geo agreeing different t b y).
       specialize (Iy k Hk). lra. }
-    destruct (Resp X IX) as (F & HF & E). destruct (proj1 (E (mix x v s)) (conj Xs C)) as (f & If & Cf).
+    destruct (Resp X IX) as (F & HF & E).
+    destruct (proj1 (E (mix x v s)) (conj Xs C)) as (f & If & Cf).
     assert (Fx : forall y, conv f y -> X y) by (intros y Cy; apply E; eauto).
     destruct (Faces.in_points x f) as [Ix|N].
     + apply (Off x I), Fx. now apply conv_point.
@@ -194,12 +217,14 @@ Proof.
       { intros y Hy. destruct (HF f If y Hy) as [<-|[<-|[]]]; [contradiction|now left]. }
       assert (Ev : mix x v s = v) by (apply conv_singleton; now apply (conv_incl f)).
       assert (x = v) as <-.
-      { apply affine_separate. intros h A. pose proof (affine_mix h x v s A) as M. rewrite Ev in M. nra. }
+      { apply affine_separate. intros h A. pose proof (affine_mix h x v s A) as M. rewrite Ev in M.
+        nra. }
       rewrite Ev in Cf. now apply (Off x I), Fx.
 Qed.
 
 Theorem kept_constrained (P : domain d) (V : list (point d)) : solid_triangulation P T ->
-  (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y -> walls_in c p geo y) ->
+  (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y ->
+    walls_in c p geo y) ->
   (forall v, In v V <-> exists t, In t T /\ In v t) ->
   forall t, In t T -> constrained_delaunay V P t.
 Proof.
@@ -212,11 +237,13 @@ Proof.
     intros v x Iv Xi Vis L. apply strictly_inside_frame in Xi.
     apply (in_ball_below_witness _ _ _ _ C) in L. apply (Rlt_not_le _ _ L).
     assert (Hu : In u kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
-    apply (visible_vertex_above kept_tets geo positive_d agreeing' different' (wall_at p) kept_outer_wall
+    apply (visible_vertex_above kept_tets geo positive_d agreeing' different'
+      (wall_at p) kept_outer_wall
       norm2 kept_local u x v Hu (fun k Hk => Rlt_le _ _ (Xi k Hk))).
     + apply HV in Iv. destruct Iv as (s & Is & Iv).
       apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Is.
-      destruct Is as (b & e' & E' & K' & ->). rewrite <- (entry_vertices c geo frames b e' E') in Iv.
+      destruct Is as (b & e' & E' & K' & ->).
+      rewrite <- (entry_vertices c geo frames b e' E') in Iv.
       apply in_vertices in Iv. destruct Iv as (i & Hi & ->). exists b, i.
       split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|auto].
     + now apply (visible_sees P u).

@@ -10,7 +10,8 @@ Import ListNotations.
 Open Scope Z_scope.
 
 (** The members of two lists of the same length, side by side. *)
-Fixpoint each_pair {A B} (c : condition) (at_ : positive -> place) (f : positive -> A -> B -> result)
+Fixpoint each_pair {A B} (c : condition) (at_ : positive -> place) (f : positive -> A -> B ->
+  result)
     (k : positive) (l : list A) (l' : list B) : result :=
   match l, l' with
   | [], [] => Accepted
@@ -151,7 +152,8 @@ Fixpoint off_walls (h : hole_entry) (l : list simplex_entry) (l' : list mark) : 
       end
   | _, _ => true
   end.
-Definition check_hole (l : list simplex_entry) (l' : list mark) (k : positive) (h : hole_entry) : result :=
+Definition check_hole (l : list simplex_entry) (l' : list mark) (k : positive) (h : hole_entry) :
+  result :=
   require hole_inside by
     negb (kept_at (hole_simplex h)) && shaped pr (hole_point h) && (0 <? hole_w h) &&
     match Table.find (hole_simplex h) (simplices_of m) with
@@ -176,7 +178,8 @@ Definition consistent (e : mark) (i : nat) (f : wall) : bool :=
                    end
       end
   end.
-Definition check_facet (t : positive) (K : list positive) (e : mark) (i : nat) (f : wall) : result :=
+Definition check_facet (t : positive) (K : list positive) (e : mark) (i : nat) (f : wall) :
+  result :=
   require mark_consistent by consistent e i f at AtFacet t i;
   require wall_shown by match flag e i with Some w => shown K i w | None => true end at AtFacet t i;
   Accepted.
@@ -189,7 +192,8 @@ Definition gets_out (t : positive) (s : simplex_entry) (e : mark) : bool :=
                 | Some x => Pos.eqb (hole_simplex x) t
                 | None => false
                 end
-  | OutOfHull i => open_ i && match nth_error (walls s) i with Some (OnHull _) => true | _ => false end
+  | OutOfHull i => open_ i && match nth_error (walls s) i with Some (OnHull _) => true | _ =>
+      false end
   | Across i => open_ i &&
       match nth_error (walls s) i with
       | Some (Neighbour u _) =>
@@ -222,7 +226,8 @@ Definition check_part (pr : predicates) (planar : bool) (kind : domain_kind) (c 
     (simplices c) (marks p).
 
 (** In the plane a wall is part of segment K: both its vertices are on it. *)
-Definition shown_by_segment (c : certificate) (p : part) : list positive -> nat -> positive * positive -> bool :=
+Definition shown_by_segment (c : certificate) (p : part) : list positive -> nat ->
+  positive * positive -> bool :=
   let m := mesh_of c in
   let segments_of := Table.of_list id (segments p) in
   fun K i w =>
@@ -329,7 +334,8 @@ Definition known_corners (c : domain_certificate) : result :=
 Section Local.
 Variable pr : predicates.
 Variable m : mesh.
-Definition check_local_facet (t : positive) (e : mark) (X : list site) (n : list Z) (i : nat) (f : wall) :
+Definition check_local_facet (t : positive) (e : mark) (X : list site) (n : list Z) (i : nat)
+  (f : wall) :
     result :=
   match f with
   | OnHull _ => Accepted
@@ -347,7 +353,7 @@ Definition check_local_facet (t : positive) (e : mark) (X : list site) (n : list
                     match Table.find v (points_of m) with
                     | None => Rejected vertex_known (AtSimplex u)
                     | Some p =>
-                        require facet_locally_delaunay by locally_delaunay pr X n p at AtFacet t i;
+                        require facet_locally_delaunay by apex_outside pr X n p at AtFacet t i;
                         Accepted
                     end
                 end
@@ -364,21 +370,26 @@ Definition check_local_simplex (t : positive) (s : simplex_entry) (e : mark) : r
   else Accepted.
 End Local.
 (** Of a hull [check_part] does not look at flags. *)
-Definition check_flags (shown : list positive -> nat -> positive * positive -> bool) (t : positive) (s : simplex_entry)
+Definition check_flags (shown : list positive -> nat -> positive * positive -> bool) (t : positive)
+  (s : simplex_entry)
     (e : mark) : result :=
   each_index (fun i (_ : wall) =>
-    require wall_shown by match flag e i with Some w => shown (corners s) i w | None => true end at AtFacet t i; Accepted)
+    require wall_shown by match flag e i with Some w => shown (corners s) i w | None =>
+      true end at AtFacet t i; Accepted)
     0 (walls s).
-Definition check_local (pr : predicates) (shown : list positive -> nat -> positive * positive -> bool) (c : domain_certificate) :
+Definition check_local (pr : predicates) (shown : list positive -> nat -> positive * positive ->
+  bool) (c : domain_certificate) :
     result :=
   match kind c with
   | Enclosed => Accepted
-  | Hull => each_pair mark_consistent AtSimplex (check_flags shown) 1 (simplices (whole_mesh c)) (marks (domain_part c))
+  | Hull => each_pair mark_consistent AtSimplex (check_flags shown) 1 (simplices (whole_mesh c))
+      (marks (domain_part c))
   end ;;
   each_pair mark_consistent AtSimplex (check_local_simplex pr (mesh_of (whole_mesh c))) 1
     (simplices (whole_mesh c)) (marks (domain_part c)).
 
-Definition check_claim (pr : predicates) (shown : list positive -> nat -> positive * positive -> bool) (c : domain_certificate) :
+Definition check_claim (pr : predicates) (shown : list positive -> nat -> positive * positive ->
+  bool) (c : domain_certificate) :
     result :=
   match domain_claimed c with
   | PlcTriangulation => known_corners c

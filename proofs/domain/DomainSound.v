@@ -33,7 +33,8 @@ Proof.
     - destruct I as [<-|[]]. exists T. split; [exact Full|exact Rg]. }
   repeat (split; [assumption|]). intros q. split.
   - intros (X & I & H). destruct (Un X I) as (F & HF & E). apply E in H. destruct H as (s & Is & C).
-    destruct (HF s Is) as (_ & _ & t & It & J). exists t. split; [assumption|]. now apply (conv_incl s).
+    destruct (HF s Is) as (_ & _ & t & It & J). exists t. split; [assumption|].
+    now apply (conv_incl s).
   - intros H. exists (region P). split; [|now apply Rg]. unfold cells.
     apply in_or_app. right. apply in_or_app. right. apply in_or_app. right. now left.
 Qed.
@@ -68,12 +69,14 @@ Proof.
   destruct Iv as (k & <- & Ik).
   destruct (mark_of c p planar (kind D) shown part_accepts u e E) as (mk & Em & Km & _).
   specialize (H u e mk E Em). accepted. rewrite <- Km, K in Heqb. cbn [negb orb] in Heqb.
-  rewrite forallb_forall in Heqb. apply (corner_in c p planar (kind D) shown part_accepts); [now apply Heqb|].
+  rewrite forallb_forall in Heqb. apply (corner_in c p planar (kind D) shown part_accepts);
+    [now apply Heqb|].
   destruct (corner_known u e k E Ik) as (x & X). rewrite (find_point (c := c)), X.
   now eexists.
 Qed.
 
-Lemma all_delaunay : domain_claimed D = ConformingDelaunay -> forall t, In t T -> delaunay (concat T) t.
+Lemma all_delaunay : domain_claimed D = ConformingDelaunay -> forall t, In t T ->
+  delaunay (concat T) t.
 Proof.
   intros Cl t It. pose proof claim_accepts as H. unfold check_claim in H. rewrite Cl in H. accepted.
   destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _).
@@ -85,39 +88,48 @@ Proof.
   destruct (Del t It') as (o & r2 & C & Em). exists o, r2. split; [assumption|].
   intros x Ix. apply Em. apply in_concat in Ix. destruct Ix as (s & Is & Ix).
   apply members in Is. destruct Is as (u & e & E & _ & ->). apply in_map_iff in Ix.
-  destruct Ix as (k & <- & Ik). destruct (corner_known u e k E Ik) as (y & Y). now apply spot_in with y.
+  destruct Ix as (k & <- & Ik). destruct (corner_known u e k E Ik) as (y & Y).
+  now apply spot_in with y.
 Qed.
 
 (** Each wall is a cell of the domain. *)
-Definition walls_are_cells (P : domain d) : Prop := kind D = Enclosed -> forall q, flagged_points c p q ->
+Definition walls_are_cells (P : domain d) : Prop := kind D = Enclosed ->
+  forall q, flagged_points c p q ->
   exists X, In X (cells P) /\ X q /\ forall y, X y -> flagged_points c p y.
 
 (** What is shown to be part of a wall is in one; this is all that is known of a hull. *)
-Definition shown_in_walls (P : domain d) : Prop := kind D = Hull -> (2 <= d)%nat /\ proper_domain P /\ what_it_fills P = Hull /\
-  forall K i w, shown K i w = true -> exists X, In X (wall_cells P) /\ within (conv (map (spot d c) (Checker.remove i K))) X.
+Definition shown_in_walls (P : domain d) : Prop := kind D = Hull -> (2 <= d)%nat /\
+  proper_domain P /\ what_it_fills P = Hull /\
+  forall K i w, shown K i w = true -> exists X, In X (wall_cells P) /\
+    within (conv (map (spot d c) (Checker.remove i K))) X.
 
-Lemma constrained (P : domain d) V : check_local pr shown D = Accepted -> walls_are_cells P -> shown_in_walls P ->
+Lemma constrained (P : domain d) V : check_local pr shown D = Accepted -> walls_are_cells P ->
+  shown_in_walls P ->
   solid_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   forall t, In t T -> constrained_delaunay V P t.
 Proof.
   intros L Wa Sw St HV. destruct (frames_exist Or Co c accepts) as (geo & G).
   assert (K : kind D = Enclosed \/ kind D = Hull) by (destruct (kind D); auto). destruct K as [K|K].
   2: { destruct (Sw K) as (Two & Pr & Fi & In_).
-       apply (kept_constrained_hull Or Co positive_d D accepts planar shown part_accepts L geo G P V Two Pr Fi St); [|assumption].
+       apply (kept_constrained_hull Or Co positive_d D accepts planar shown part_accepts L geo G P V
+         Two Pr Fi St); [|assumption].
        intros t e i E Hi F.
-       destruct (hull_flag_shown Co positive_d D accepts planar shown part_accepts L t e i K E Hi F) as (w & Sh). eauto. }
+       destruct (hull_flag_shown Co positive_d D accepts planar shown part_accepts L t e i K E Hi F)
+         as (w & Sh). eauto. }
   assert (E : forall x, walls_in c p geo x <-> flagged_points c p x).
   { intros x. split.
     - intros (t & i & Ht & Hi & F & O). apply in_tets in Ht. destruct Ht as (e & E). exists t, e, i.
       repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
     - intros (t & e & i & E & Hi & F & C). exists t, i. split; [apply in_tets; eauto|].
       repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e). }
-  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G K P V St); [|assumption].
+  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G K P V St);
+    [|assumption].
   intros q W. apply E in W. destruct (Wa K q W) as (X & IX & Xq & XW).
   exists X. split; [assumption|]. split; [assumption|]. intros y Xy. now apply E, XW.
 Qed.
 
-Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> walls_are_cells P -> shown_in_walls P ->
+Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> walls_are_cells P ->
+  shown_in_walls P ->
   solid_triangulation P T ->
   match domain_claimed D with
   | PlcTriangulation => solid_plc_triangulation P T
@@ -137,7 +149,8 @@ Proof.
     + apply (constrained P); try assumption. intros v. split.
       * intros Iv. destruct St as (_ & _ & _ & Vs & _). now apply Vs.
       * intros (t & It & Iv). rewrite E. now apply (no_other_vertices K t).
-  - split; [assumption|]. apply (constrained P); try assumption. intros v. rewrite in_concat. reflexivity.
+  - split; [assumption|]. apply (constrained P); try assumption. intros v. rewrite in_concat.
+    reflexivity.
 Qed.
 End Claim.
 
@@ -157,81 +170,107 @@ Proof.
   intros A. unfold check_domain in A. destruct D; cbn [dimension_of] in *; cbv zeta in *.
   - accepted. pose proof (plane_mesh_accepted _ _ _ Heqr) as Mesh.
     pose proof (plane_part_accepted _ _ _ Heqr) as Pa.
-    apply (claim_sound oriented2 plane_computes c Mesh true _ Pa (le_S 1 1 (le_n 1)) A); [reflexivity| | |].
+    apply (claim_sound oriented2 plane_computes c Mesh true _ Pa (le_S 1 1 (le_n 1)) A);
+      [reflexivity| | |].
     { intros K q W. apply (segments_flagged _ _ _ Heqr q K) in W. destruct W as (a & b & I & C).
       exists (fun q => conv [fst (a, b); snd (a, b)] q). split; [|split; [exact C|]].
       - unfold cells. apply in_or_app. right. apply in_or_app. left.
         apply (in_map (fun ab q => conv [fst ab; snd ab] q)). exact I.
-      - intros y Y. apply (segments_flagged _ _ _ Heqr y K). exists a, b. split; [exact I|exact Y]. }
+      - intros y Y. apply (segments_flagged _ _ _ Heqr y K). exists a, b. split; [exact I|exact Y].
+        }
     { intros K. split; [apply le_n|]. split; [|split; [exact K|]].
-      - split; intros; cbn [domain_of_certificate domain_polygons] in *; destruct (polygons c); try discriminate; [reflexivity|contradiction].
+      - split; intros; cbn [domain_of_certificate domain_polygons] in *; destruct (polygons c);
+          try discriminate; [reflexivity|contradiction].
       - intros N i w Sh. destruct (shown_segment _ _ _ Heqr N i w Sh) as (s & Es & C).
-        exists (fun q => conv [fst (segment_ends 2 (whole_mesh c) s); snd (segment_ends 2 (whole_mesh c) s)] q). split; [|exact C].
-        unfold wall_cells. apply (in_map (fun ab q => conv [fst ab; snd ab] q)). cbn [domain_of_certificate domain_segments].
+        exists (fun q => conv [fst (segment_ends 2 (whole_mesh c) s);
+          snd (segment_ends 2 (whole_mesh c) s)] q). split; [|exact C].
+        unfold wall_cells. apply (in_map (fun ab q => conv [fst ab; snd ab] q)).
+        cbn [domain_of_certificate domain_segments].
         apply in_map. now apply numbered_in with (fst w). }
     apply steiner_from_cells.
     + exact (kept_complex oriented2 plane_computes _ Mesh _ true _ _ Pa).
     + exact (vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa).
     + intros a b I. apply in_map_iff in I. destruct I as (s & E & I).
-      pose proof (segment_union oriented2 plane_computes (le_S 1 1 (le_n 1)) _ Mesh _ true _ _ Pa s I) as U.
+      pose proof (segment_union oriented2 plane_computes (le_S 1 1 (le_n 1)) _ Mesh _ true _ _ Pa s
+        I) as U.
       rewrite E in U. exact U.
-    + cbn [domain_of_certificate domain_polygons]. destruct (polygons c); [intros f []|discriminate].
+    + cbn [domain_of_certificate domain_polygons].
+      destruct (polygons c); [intros f []|discriminate].
     + intros q. unfold region, domain_of_certificate. cbn [what_it_fills].
       destruct (kind c) eqn:K.
       * exact (plane_enclosed _ _ _ Heqr q eq_refl).
       * exact (kept_hull oriented2 plane_computes _ Mesh _ true _ _ Pa q eq_refl).
   - accepted. pose proof A as Cl. rename Heqr into Mesh. rename Heqr0 into Pa. rename Heqr1 into Pg.
-    assert (Poly : forall k f, numbered (polygons c) k = Some f -> check_polygon (kind c) (whole_mesh c)
+    assert (Poly : forall k f, numbered (polygons c) k = Some f ->
+      check_polygon (kind c) (whole_mesh c)
       (mesh_of (whole_mesh c)) (mark_table (domain_part c)) f = Accepted).
     { intros k f E. apply (each_accepted _ _ Pg) in E. unfold in_polygon in E.
       destruct (check_polygon _ _ _ _ f); [reflexivity|discriminate]. }
-    assert (Shown : forall N i w, shown_by_polygon (Table.of_list tables_of (polygons c)) N i w = true ->
-      exists g, In g (polygons c) /\ within (conv (map (spot 3 (whole_mesh c)) (Checker.remove i N))) (polygon_points (polygon_of 3 c g))).
+    assert (Shown : forall N i w, shown_by_polygon (Table.of_list tables_of (polygons c)) N i w =
+      true ->
+      exists g, In g (polygons c) /\
+        within (conv (map (spot 3 (whole_mesh c)) (Checker.remove i N)))
+        (polygon_points (polygon_of 3 c g))).
     { intros N i w Sh. unfold shown_by_polygon in Sh. rewrite table_find in Sh.
-      destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate]. cbn [option_map] in Sh.
+      destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate].
+      cbn [option_map] in Sh.
       cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh.
       apply andb_prop in Sh. destruct Sh as [Kt Sh].
       destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
       exists g. split; [now apply numbered_in with (fst w)|]. intros x C.
-      apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g (Poly _ g G)) x).
+      apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g
+        (shape_ok _ _ _ g (Poly _ g G)) x).
       exists (snd w), s. split; [assumption|]. split; [assumption|].
       apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i N))); [|assumption].
       intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
       now apply (same_members_spec _ _ Sh). }
-    assert (Flagged : kind c = Enclosed -> forall x, flagged_points (d := 3) (whole_mesh c) (domain_part c) x <->
+    assert (Flagged : kind c = Enclosed ->
+      forall x, flagged_points (d := 3) (whole_mesh c) (domain_part c) x <->
       exists f, In f (map (polygon_of 3 c) (polygons c)) /\ polygon_points f x).
     { intros K x. split.
       - intros (t & e & i & E & Hi & Fl & C).
-        destruct (flagged_is_shown oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa
+        destruct (flagged_is_shown oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _
+          false _ _ Pa
           t e i K E Hi Fl) as (w & Sh).
-        destruct (Shown _ i w Sh) as (g & Ig & W). exists (polygon_of 3 c g). split; [now apply in_map|now apply W].
-      - intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
+        destruct (Shown _ i w Sh) as (g & Ig & W). exists (polygon_of 3 c g).
+        split; [now apply in_map|now apply W].
+      - intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I).
+        apply in_numbered in I.
         destruct I as (k & E).
-        exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly k g E) x K H). }
-    apply (claim_sound oriented3 space_computes c Mesh false _ Pa (le_S 1 2 (le_S 1 1 (le_n 1))) Cl);
+        exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly k g E) x K
+          H). }
+    apply (claim_sound oriented3 space_computes c Mesh false _ Pa (le_S 1 2 (le_S 1 1 (le_n 1)))
+      Cl);
       [reflexivity| | |].
     { intros K q W. apply (Flagged K) in W. destruct W as (f & I & C). exists (polygon_points f).
       split; [|split; [exact C|]].
-      - unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. left. now apply in_map.
+      - unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. left.
+        now apply in_map.
       - intros y Y. apply (Flagged K). eauto. }
     { intros K. split; [apply le_S, le_n|]. split; [|split; [exact K|]].
-      - split; [discriminate|]. intros f I. cbn [domain_of_certificate domain_polygons] in I. apply in_map_iff in I.
+      - split; [discriminate|]. intros f I. cbn [domain_of_certificate domain_polygons] in I.
+        apply in_map_iff in I.
         destruct I as (g & <- & I). apply in_numbered in I. destruct I as (k & E).
         now apply polygon_normal, (shape_ok _ _ _ g (Poly k g E)).
-      - intros N i w Sh. destruct (Shown N i w Sh) as (g & Ig & W). exists (polygon_points (polygon_of 3 c g)).
-        split; [|exact W]. unfold wall_cells. apply in_map. cbn [domain_of_certificate domain_polygons]. now apply in_map. }
+      - intros N i w Sh. destruct (Shown N i w Sh) as (g & Ig & W).
+        exists (polygon_points (polygon_of 3 c g)).
+        split; [|exact W]. unfold wall_cells. apply in_map.
+        cbn [domain_of_certificate domain_polygons]. now apply in_map. }
     apply steiner_from_cells.
     + exact (kept_complex oriented3 space_computes _ Mesh _ false _ _ Pa).
     + exact (vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa).
     + intros a b I. apply in_map_iff in I. destruct I as (s & E & I).
-      pose proof (segment_union oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa s I)
+      pose proof (segment_union oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _
+        false _ _ Pa s I)
         as U. rewrite E in U. exact U.
     + intros f I. apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
       destruct I as (k & E).
-      exact (polygon_union (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g (Poly k g E)).
+      exact (polygon_union (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g
+        (Poly k g E)).
     + intros q. unfold region, domain_of_certificate. cbn [what_it_fills].
       destruct (kind c) eqn:K.
-      * apply (kept_enclosed oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa);
+      * apply (kept_enclosed oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false
+          _ _ Pa);
           [reflexivity|]. intros x. symmetry. apply Flagged. reflexivity.
       * exact (kept_hull oriented3 space_computes _ Mesh _ false _ _ Pa q eq_refl).
 Qed.

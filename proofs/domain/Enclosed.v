@@ -1,15 +1,16 @@
 (** * What walls enclose is what the marked simplices cover
 
-    A mesh fills conv S, some of its facets are walls, and its simplices are marked: [marked] or not.
-    Marks differ only across walls, no facet of the hull that is no wall belongs to an inner simplex,
-    and from each simplex that is not inner one gets, through facets that are no walls, to the outside
-    or to a hole.  Then the walls enclose themselves and the inner simplices, and nothing else
-    ([enclosed_inner]).
+    A mesh fills conv S, some of its facets are walls, and its simplices are marked: [marked] or
+    not. Marks differ only across walls, no facet of the hull that is no wall belongs to an inner
+    simplex, and from each simplex that is not inner one gets, through facets that are no walls, to
+    the outside or to a hole.  Then the walls enclose themselves and the inner simplices, and
+    nothing else ([enclosed_inner]).
 
-    A simplex that is not inner is left by a path of segments from centre to centre.  For the converse
-    one follows a segment that meets no wall: where it is in an inner simplex, all simplices there are
-    inner ([marked_alike], by a walk around the point as in [Mesh.v]), and one of them holds what comes
-    next ([leads_on]).  It leaves finitely many simplices ([stays_inner]). *)
+    A simplex that is not inner is left by a path of segments from centre to centre.  For the
+    converse one follows a segment that meets no wall: where it is in an inner simplex, all
+    simplices there are inner ([marked_alike], by a walk around the point as in [Mesh.v]), and one
+    of them holds what comes next ([leads_on]).  It leaves finitely many simplices
+    ([stays_inner]). *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched Faces Facets Walk
   Generic Mesh Adjacency.
@@ -17,9 +18,11 @@ Import ListNotations.
 Open Scope R_scope.
 
 (** Simplices that meet face to face, none listed twice, and fill conv V. *)
-Record filling {d : nat} {A : Type} (tets : list A) (geo : A -> frame d) (V : list (point d)) : Prop := {
+Record filling {d : nat} {A : Type} (tets : list A) (geo : A -> frame d) (V : list (point d)) :
+  Prop := {
   filling_agree : forall t u, In t tets -> In u tets -> agree (geo t) (geo u);
-  filling_different : forall t u, In t tets -> In u tets -> same (vertices (geo t)) (vertices (geo u)) -> t = u;
+  filling_different : forall t u, In t tets -> In u tets ->
+    same (vertices (geo t)) (vertices (geo u)) -> t = u;
   filling_in : forall t, In t tets -> incl (vertices (geo t)) V;
   filling_covers : forall q, conv V q -> exists t, In t tets /\ inside_closed (geo t) q;
   filling_some : tets <> []
@@ -115,7 +118,8 @@ Proof.
   intros Ht Zt Mt. destruct (towards geo z y tets) as [(u & Hu & I & Lead)|(e0 & He & K)].
   { exists u. rewrite (marked_alike u t) by assumption. auto. }
   exfalso.
-  destruct (nearby (side_functions tets (facets (d := d)) (coordinate geo) z) z y) as (e1 & He1 & Near).
+  destruct (nearby (side_functions tets (facets (d := d)) (coordinate geo) z) z y)
+    as (e1 & He1 & Near).
   { intros g Hg. now apply (side_functions_in (mesh_cells mesh) z). }
   set (e := Rmin e0 e1). assert (E : 0 < e <= e0 /\ e <= e1).
   { unfold e. pose proof (Rmin_l e0 e1). pose proof (Rmin_r e0 e1).
@@ -132,7 +136,8 @@ Proof.
   destruct (outside_functions (mesh_cells mesh) p (fun _ => True)) as (G & G1 & G2); auto.
   destruct (generic_near mesh [] z t []) as (x & Xi & _ & Xs & Xg & _); auto.
   { intros g []. } { intros ? []. }
-  destruct (pick_generic (mesh_cells mesh) (G ++ side_functions tets (facets (d := d)) (coordinate geo) z) p [x])
+  destruct (pick_generic (mesh_cells mesh) (G ++ side_functions tets (facets (d := d))
+    (coordinate geo) z) p [x])
     as (w & W1 & W2 & W3).
   { intros ? [<-|[]]; assumption. }
   { intros g Hg. apply in_app_or in Hg. destruct Hg as [Hg|Hg]; [now apply G1|].
@@ -259,7 +264,8 @@ Qed.
 (** ** From a simplex that is not inner one gets out *)
 
 Variable holes : list (point d).
-Hypothesis holes_in : forall h, In h holes -> ~ walls h /\ exists t, In t tets /\ marked t = false /\
+Hypothesis holes_in : forall h, In h holes -> ~ walls h /\ exists t, In t tets /\
+  marked t = false /\
   inside_closed (geo t) h.
 Variable rank : A -> nat.
 Hypothesis way_out : forall t, In t tets -> marked t = false ->
@@ -330,7 +336,8 @@ Proof.
   intros Ht Q Off P s Hs. destruct (Req_dec s 0) as [->|N].
   - replace (between q p 0) with q; [assumption|].
     apply affine_separate. intros f F. rewrite between_mix, affine_mix by assumption. ring.
-  - apply (inside_off t); [assumption|]. intros i Hi. rewrite between_mix, affine_mix by now apply bary_affine.
+  - apply (inside_off t); [assumption|]. intros i Hi.
+    rewrite between_mix, affine_mix by now apply bary_affine.
     specialize (Q i Hi). specialize (P i Hi). nra.
 Qed.
 Lemma clear_back x y : clear walls x y -> clear walls y x.
@@ -339,7 +346,8 @@ Proof.
   - apply C. lra.
   - apply affine_separate. intros f F. rewrite between_mix, !affine_mix by assumption. ring.
 Qed.
-Lemma connected_trans x y z : connected everywhere walls x y -> connected everywhere walls y z -> connected everywhere walls x z.
+Lemma connected_trans x y z : connected everywhere walls x y -> connected everywhere walls y z ->
+  connected everywhere walls x z.
 Proof. intros X Y. induction Y as [|u w Y IH _ C]; [assumption|]. now apply further with u. Qed.
 Lemma connected_clear x y : clear walls x y -> connected everywhere walls x y.
 Proof. intros C. apply further with x; [apply here|exact Logic.I|assumption]. Qed.
@@ -350,12 +358,14 @@ Definition away t i (q : point d) r :=
 Lemma bary_away t i q r : (i <= d)%nat -> bary (geo t) i (away t i q r) = bary (geo t) i q - r.
 Proof.
   intros Hi. destruct (bary_affine (geo t) i Hi) as (a & b & E).
-  pose proof (bary_facet_centre (geo t) i positive Hi) as Z. pose proof (bary_own (geo t) i Hi) as O.
+  pose proof (bary_facet_centre (geo t) i positive Hi) as Z.
+  pose proof (bary_own (geo t) i Hi) as O.
   rewrite E in Z, O. rewrite !E. unfold plane, away in *.
   rewrite inner_plus_r, inner_scale_r, inner_minus_r.
   replace (inner a (facet_centre (geo t) i) - inner a (vertex (geo t) i)) with (-1) by lra. ring.
 Qed.
-Lemma beyond_off t i q : In t tets -> (i <= d)%nat -> outer t i -> bary (geo t) i q < 0 -> ~ walls q.
+Lemma beyond_off t i q : In t tets -> (i <= d)%nat -> outer t i -> bary (geo t) i q < 0 ->
+  ~ walls q.
 Proof.
   intros Ht Hi O N W. apply walls_are in W. destruct W as (u & k & Hu & _ & _ & _ & C).
   assert (0 <= bary (geo t) i q); [|lra].
@@ -383,7 +393,8 @@ Proof.
     rewrite E, scale_origin, plus_origin in B. lra. }
   (* |q + b w|^2 >= b (2 <q, w> + b |w|^2) *)
   set (b := (Rabs r + 1 + 2 * Rabs (inner q w)) / norm2 w + 1).
-  assert (Pa : 0 <= Rabs r) by apply Rabs_pos. assert (Pi : 0 <= Rabs (inner q w)) by apply Rabs_pos.
+  assert (Pa : 0 <= Rabs r) by apply Rabs_pos.
+  assert (Pi : 0 <= Rabs (inner q w)) by apply Rabs_pos.
   assert (B1 : 1 <= b).
   { unfold b. assert (0 <= (Rabs r + 1 + 2 * Rabs (inner q w)) / norm2 w); [|lra].
     apply Rmult_le_pos; [lra|]. left. now apply Rinv_0_lt_compat. }
@@ -413,13 +424,15 @@ Proof.
     pose proof (centre_off t i Ht Hi N) as Foff.
     destruct (beyond_unbounded t i (facet_centre (geo t) i) Ht Hi O) with (r := r) as (y & C & Y).
     { rewrite bary_facet_centre by assumption. lra. } { assumption. }
-    exists y. split; [|assumption]. apply connected_trans with (facet_centre (geo t) i); [|assumption].
+    exists y. split; [|assumption]. apply connected_trans with (facet_centre (geo t) i);
+      [|assumption].
     apply connected_clear, clear_back. apply (clear_into t); auto. now apply facet_centre_closed.
   - pose proof Ad as (_ & Hu & Op). pose proof Op as (Hi & Hj & _).
     pose proof (centre_off t i Ht Hi N) as Foff.
     assert (Step : connected everywhere walls (barycentre (geo t)) (barycentre (geo u))).
     { apply connected_trans with (facet_centre (geo t) i).
-      - apply connected_clear, clear_back. apply (clear_into t); auto. now apply facet_centre_closed.
+      - apply connected_clear, clear_back. apply (clear_into t); auto.
+        now apply facet_centre_closed.
       - apply connected_clear. apply (clear_into u); auto; [|apply barycentre_inside].
         intros l Hl. destruct (Nat.eq_dec l j) as [->|Nl].
         + destruct (opposite_multiple _ _ _ _ Op) as (c & _ & ->).
@@ -445,7 +458,8 @@ Proof.
     { left. exists u, k. split; [now right|auto]. }
     destruct (Rlt_dec (bary (geo t) i q) 0) as [L|L].
     - destruct (adjacent_dec tets geo t i (Dom t i (or_introl eq_refl))) as [(u & j & Ad)|O].
-      + right. intros a k [E|I] O; [|now apply IH]. injection E as <- <-. exfalso. now apply (O u j).
+      + right. intros a k [E|I] O; [|now apply IH]. injection E as <- <-. exfalso.
+        now apply (O u j).
       + left. exists t, i. split; [now left|auto].
     - right. intros a k [E|I] O; [injection E as <- <-; lra|now apply IH]. }
   assert (FL : forall t i, In (t, i) (flat_map (fun t => map (pair t) (seq 0 (S d))) tets) <->

@@ -1,8 +1,9 @@
 (** * Faces of the mesh and what holds them
 
-    Segments and polygons are unions of faces of a complex.  If two of them meet in a point, both contain the
-    least face with this point; and one segment or polygon holds it, or it is a vertex of the domain
-    ([common_face]).  So vertices and segments are a simplicial complex ([segments_complex]). *)
+    Segments and polygons are unions of faces of a complex.  If two of them meet in a point, both
+    contain the least face with this point; and one segment or polygon holds it, or it is a vertex
+    of the domain ([common_face]).  So vertices and segments are a simplicial complex
+    ([segments_complex]). *)
 From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import ComplexChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh Independence.
@@ -13,16 +14,19 @@ Open Scope R_scope.
 
 (** ** Lists of numbers *)
 
-Lemma least_of k l : In (least (k :: l)) (k :: l) /\ forall x, In x (k :: l) -> (least (k :: l) <= x)%positive.
+Lemma least_of k l : In (least (k :: l)) (k :: l) /\ forall x, In x (k :: l) ->
+  (least (k :: l) <= x)%positive.
 Proof.
   unfold least. revert k. induction l as [|a l IH]; intros k.
   - split; [now left|]. intros x [<-|[]]. cbn. lia.
   - cbn [fold_left]. destruct (IH (lesser k a)) as [I M].
-    assert (L : (lesser k a <= k)%positive /\ (lesser k a <= a)%positive /\ (lesser k a = k \/ lesser k a = a)).
+    assert (L : (lesser k a <= k)%positive /\ (lesser k a <= a)%positive /\
+      (lesser k a = k \/ lesser k a = a)).
     { unfold lesser. destruct (Pos.ltb k a) eqn:E; [apply Pos.ltb_lt in E|apply Pos.ltb_ge in E];
         repeat split; try lia; auto. }
     destruct L as (L1 & L2 & L3). split.
-    + destruct I as [I|I]; [|right; now right]. rewrite <- I. destruct L3 as [->| ->]; [now left|right; now left].
+    + destruct I as [I|I]; [|right; now right]. rewrite <- I.
+      destruct L3 as [->| ->]; [now left|right; now left].
     + assert (G := M _ (or_introl eq_refl)). intros x [<-|[<-|Ix]]; [lia|lia|]. apply M. now right.
 Qed.
 Lemma least_same s t : (forall x, In x s <-> In x t) -> least s = least t.
@@ -40,11 +44,13 @@ Proof.
 Qed.
 Lemma holder_same F s t : (forall x, In x s <-> In x t) -> holder_of F s = holder_of F t.
 Proof.
-  intros E. unfold holder_of. rewrite (least_same s t E). destruct (Table.find (least t) F) as [l|]; [|reflexivity].
+  intros E. unfold holder_of. rewrite (least_same s t E).
+  destruct (Table.find (least t) F) as [l|]; [|reflexivity].
   enough (X : find (fun e => same_members (least t :: others e) s) l =
     find (fun e => same_members (least t :: others e) t) l) by now rewrite X.
   induction l as [|e l IH]; [reflexivity|]. cbn [find]. rewrite IH.
-  enough (X : same_members (least t :: others e) s = same_members (least t :: others e) t) by now rewrite X.
+  enough (X : same_members (least t :: others e) s = same_members (least t :: others e) t)
+    by now rewrite X.
   apply Bool.eq_true_iff_eq. split; intros H; apply same_members_intro; intros x;
     rewrite (same_members_spec _ _ H x); [apply E|symmetry; apply E].
 Qed.
@@ -58,18 +64,21 @@ Proof.
   induction l as [|k l IH]; intros s; cbn [sublists].
   - intros [<-|[]] x [].
   - intros I x Ix. apply in_app_or in I. destruct I as [I|I]; [|right; now apply (IH s)].
-    apply in_map_iff in I. destruct I as (r & <- & I). destruct Ix as [<-|Ix]; [now left|right; now apply (IH r)].
+    apply in_map_iff in I. destruct I as (r & <- & I).
+    destruct Ix as [<-|Ix]; [now left|right; now apply (IH r)].
 Qed.
 
 (** ** Two points *)
 
-Lemma two_independent {d} (s : list (point d)) a b : NoDup s -> incl s [a; b] -> affinely_independent s.
+Lemma two_independent {d} (s : list (point d)) a b : NoDup s -> incl s [a; b] ->
+  affinely_independent s.
 Proof.
   intros N I. apply dual_independent; [assumption|]. intros v Iv.
   assert (One : forall o, v <> o -> exists f : point d -> R, affine f /\ f v = 1 /\ f o = 0).
   { intros o Vo. destruct (Req_dec (dist2 v o) 0) as [E|Z].
     { exfalso. apply Vo. apply norm2_zero in E. rewrite <- (minus_plus v o), E. apply origin_plus. }
-    unfold dist2, norm2 in Z. exists (fun p => inner (scale (/ inner (minus v o) (minus v o)) (minus v o)) (minus p o)).
+    unfold dist2, norm2 in Z.
+    exists (fun p => inner (scale (/ inner (minus v o) (minus v o)) (minus v o)) (minus p o)).
     split; [|split].
     - exists (scale (/ inner (minus v o) (minus v o)) (minus v o)),
         (- inner (scale (/ inner (minus v o) (minus v o)) (minus v o)) o).
@@ -79,16 +88,21 @@ Proof.
   destruct (I v Iv) as [<-|[<-|[]]].
   - destruct (in_dec point_eq_dec b s) as [Ib|Nb].
     + destruct (point_eq_dec a b) as [E|Vo].
-      * exists (fun _ => 1). split; [apply affine_const|]. split; [reflexivity|]. intros w Iw Nw. exfalso.
+      * exists (fun _ => 1). split; [apply affine_const|]. split; [reflexivity|]. intros w Iw Nw.
+        exfalso.
         destruct (I w Iw) as [<-|[<-|[]]]; congruence.
-      * destruct (One b Vo) as (f & A & F1 & F0). exists f. split; [assumption|]. split; [assumption|].
+      * destruct (One b Vo) as (f & A & F1 & F0). exists f. split; [assumption|].
+        split; [assumption|].
         intros w Iw Nw. destruct (I w Iw) as [<-|[<-|[]]]; [congruence|assumption].
-    + exists (fun _ => 1). split; [apply affine_const|]. split; [reflexivity|]. intros w Iw Nw. exfalso.
+    + exists (fun _ => 1). split; [apply affine_const|]. split; [reflexivity|]. intros w Iw Nw.
+      exfalso.
       destruct (I w Iw) as [<-|[<-|[]]]; [congruence|contradiction].
   - destruct (point_eq_dec b a) as [E|Vo].
-    + exists (fun _ => 1). split; [apply affine_const|]. split; [reflexivity|]. intros w Iw Nw. exfalso.
+    + exists (fun _ => 1). split; [apply affine_const|]. split; [reflexivity|]. intros w Iw Nw.
+      exfalso.
       destruct (I w Iw) as [<-|[<-|[]]]; congruence.
-    + destruct (One a Vo) as (f & A & F1 & F0). exists f. split; [assumption|]. split; [assumption|].
+    + destruct (One a Vo) as (f & A & F1 & F0). exists f. split; [assumption|].
+      split; [assumption|].
       intros w Iw Nw. destruct (I w Iw) as [<-|[<-|[]]]; [assumption|congruence].
 Qed.
 
@@ -146,9 +160,11 @@ Proof.
   assert (Ve : vertices (geo t) = map spot (corners e)) by now apply (entry_vertices c geo G).
   assert (Vu : vertices (geo u) = map spot (corners e')) by now apply (entry_vertices c geo G).
   assert (J : incl (map spot s) (vertices (geo t))).
-  { rewrite Ve. intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). now apply in_map, I. }
+  { rewrite Ve. intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik).
+    now apply in_map, I. }
   assert (J' : incl (map spot s') (vertices (geo u))).
-  { rewrite Vu. intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). now apply in_map, I'. }
+  { rewrite Vu. intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik).
+    now apply in_map, I'. }
   pose proof C as K. apply (conv_face (geo t) _ q J) in K. destruct K as [Ct P].
   pose proof C' as K'. apply (conv_face (geo u) _ q J') in K'. destruct K' as [Cu P'].
   set (Car := Faces.carrier (geo t) q).
@@ -160,20 +176,25 @@ Proof.
     { intros v Iv. apply in_carrier in Iv. destruct Iv as (i & Hi & Pi & ->). auto. }
     assert (SubU : forall v, In v Car -> In v (map spot s')).
     { intros v Iv. apply CarU, in_carrier in Iv. destruct Iv as (i & Hi & Pi & ->). auto. }
-    assert (Half : forall a b ea eb r r', entry a ea -> entry b eb -> incl r (corners ea) -> incl r' (corners eb) ->
+    assert (Half : forall a b ea eb r r', entry a ea -> entry b eb -> incl r (corners ea) ->
+      incl r' (corners eb) ->
       (forall v, In v Car -> In v (map spot r')) ->
-      forall x, In x (filter (fun k => if in_dec point_eq_dec (spot k) Car then true else false) r) ->
+      forall x, In x (filter (fun k => if in_dec point_eq_dec (spot k) Car then true else false) r)
+        ->
         In x (filter (fun k => if in_dec point_eq_dec (spot k) Car then true else false) r')).
     { intros a b ea eb r r' Ea Eb Ir Ir' Sub x Ix. apply filter_In in Ix. destruct Ix as [Ix Qx].
       destruct (in_dec point_eq_dec (spot x) Car) as [Ic|] eqn:Dec; [|discriminate].
       pose proof (Sub _ Ic) as Iy. apply in_map_iff in Iy. destruct Iy as (y & Y & Iy).
-      destruct (known a ea x Ea (Ir x Ix)) as (px & Px). destruct (known b eb y Eb (Ir' y Iy)) as (py & Py).
-      pose proof (spots_once y x py px Py Px Y). subst y. apply filter_In. split; [assumption|]. now rewrite Dec. }
+      destruct (known a ea x Ea (Ir x Ix)) as (px & Px).
+      destruct (known b eb y Eb (Ir' y Iy)) as (py & Py).
+      pose proof (spots_once y x py px Py Px Y). subst y. apply filter_In. split; [assumption|].
+      now rewrite Dec. }
     intros x. split; [now apply (Half t u e e')|now apply (Half u t e' e)].
   - apply (conv_incl Car); [|now apply conv_carrier].
     intros v Iv. pose proof Iv as Iv'. apply in_carrier in Iv. destruct Iv as (i & Hi & Pi & ->).
     pose proof (P i Hi Pi) as Iy. apply in_map_iff in Iy. destruct Iy as (y & Y & Iy).
-    rewrite <- Y. apply in_map, filter_In. split; [assumption|]. rewrite Y. now destruct (in_dec point_eq_dec _ Car).
+    rewrite <- Y. apply in_map, filter_In. split; [assumption|]. rewrite Y.
+    now destruct (in_dec point_eq_dec _ Car).
 Qed.
 
 Lemma at_corner_spec s q : at_corner roles_of s = true -> conv (map spot s) q ->
@@ -181,7 +202,8 @@ Lemma at_corner_spec s q : at_corner roles_of s = true -> conv (map spot s) q ->
 Proof.
   destruct s as [|k s]; [intros _ C; now apply conv_empty in C|]. cbn [at_corner]. intros H C.
   apply andb_prop in H. destruct H as [H A]. exists k. split; [now left|]. split; [assumption|].
-  rewrite forallb_forall in A. apply Combinations.conv_singleton. apply (conv_incl (map spot (k :: s))); [|assumption].
+  rewrite forallb_forall in A. apply Combinations.conv_singleton.
+  apply (conv_incl (map spot (k :: s))); [|assumption].
   intros v Iv. apply in_map_iff in Iv. destruct Iv as (x & <- & [<-|I]); [now left|].
   apply A, Pos.eqb_eq in I. subst x. now left.
 Qed.
@@ -207,7 +229,8 @@ Lemma lies_on_spec n s q : forallb (lies_on m segments_of n) s = true -> conv (m
 Proof.
   intros L C. destruct s as [|k0 s0]; [now apply conv_empty in C|]. set (s := k0 :: s0) in *.
   rewrite forallb_forall in L. pose proof (L k0 (or_introl eq_refl)) as L0. unfold lies_on in L0.
-  rewrite find_id in L0. destruct (numbered (segments p) n) as [g|] eqn:E; [|discriminate]. exists g.
+  rewrite find_id in L0. destruct (numbered (segments p) n) as [g|] eqn:E; [|discriminate].
+  exists g.
   split; [exact E|]. unfold ends_of. apply (conv_conv (map spot s)); [|assumption]. intros v Iv.
   apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). specialize (L k Ik). unfold lies_on in L.
   rewrite find_id, E in L. fold (last_reached g).
@@ -268,7 +291,8 @@ Proof.
   assert (L : l <> [] -> last (map reached (s :: l)) u = last (map reached l) (reached s)).
   { intros N. change (map reached (s :: l)) with (reached s :: map reached l).
     assert (M : map reached l <> []) by (destruct l; [contradiction|discriminate]). revert M. clear.
-    generalize (reached s) as a. induction (map reached l) as [|b r IH]; intros a M; [contradiction|].
+    generalize (reached s) as a. induction (map reached l) as [|b r IH]; intros a M;
+      [contradiction|].
     destruct r as [|b' r]; [reflexivity|]. change (last (b :: b' :: r) u = last (b :: b' :: r) a).
     change (last (b' :: r) u = last (b' :: r) a). rewrite <- (IH a) by discriminate. reflexivity. }
   destruct I as [<-|I].
@@ -278,7 +302,8 @@ Proof.
   - destruct (IH (reached s) H2 I) as (y & z & -> & Al & Y & Z). exists y, z.
     split; [reflexivity|]. split; [assumption|].
     assert (N : l <> []) by (intros ->; destruct I). split.
-    + intros K. rewrite (Y K) in K. exfalso. destruct l; [contradiction|]. rewrite K in H1. discriminate.
+    + intros K. rewrite (Y K) in K. exfalso. destruct l; [contradiction|]. rewrite K in H1.
+      discriminate.
     + intros K. rewrite (L N). auto.
 Qed.
 
@@ -292,7 +317,8 @@ Proof.
   apply (segment_covered Co c accepts p planar kind shown part_accepts s I) in C.
   destruct C as (x & Ix & C).
   destruct (step_edge c p planar kind shown part_accepts s x I Ix) as (u & l & -> & _ & Ed).
-  apply (edge_spec Co c accepts p planar kind shown part_accepts) in Ed. destruct Ed as (e & Ee & _ & _ & Iu & Iv & _).
+  apply (edge_spec Co c accepts p planar kind shown part_accepts) in Ed.
+  destruct Ed as (e & Ee & _ & _ & Iu & Iv & _).
   pose proof (each_accepted _ _ steps_accept n s E) as H. unfold check_steps in H. accepted.
   destruct (steps_held_edge n _ _ _ Heqb Ix) as (y & z & X & Al & Y & Z). injection X as <- <-.
   exists u, (reached l). split; [|split; [exact Al|split; assumption]].
@@ -305,7 +331,8 @@ Proof.
   destruct parts as (_ & H & _). apply each_pair_accepted in H. destruct H as [L H]. symmetry in L.
   destruct (numbered_beside _ _ _ _ L R) as (e & E). specialize (H k e _ E R).
   unfold check_role in H. accepted. apply andb_prop in Heqb. destruct Heqb as [_ M].
-  rewrite (find_simplex (c := c)) in M. destruct (numbered (simplices c) t) as [s|] eqn:Es; [|discriminate].
+  rewrite (find_simplex (c := c)) in M. destruct (numbered (simplices c) t) as [s|] eqn:Es;
+    [|discriminate].
   exists t, s. split; [assumption|]. split; [|apply conv_point; now left].
   intros x [<-|[]]. now apply member_in.
 Qed.
@@ -325,7 +352,8 @@ Qed.
 (** ** Vertices and segments are a simplicial complex *)
 
 Lemma ends_corners n s : numbered (segments p) n = Some s ->
-  is_corner roles_of (from s) = true /\ is_corner roles_of (last (map reached (links s)) (from s)) = true.
+  is_corner roles_of (from s) = true /\ is_corner roles_of (last (map reached (links s)) (from s)) =
+    true.
 Proof.
   intros E. destruct parts as (_ & _ & H & _). apply (each_accepted _ _ H) in E.
   unfold check_segment in E. cbv zeta in E. accepted.
@@ -334,20 +362,25 @@ Qed.
 Lemma corner_vertex k : is_corner roles_of k = true -> In (spot k) (part_vertices d c p).
 Proof.
   intros K. apply (corner_in c p planar kind shown part_accepts); [assumption|].
-  destruct (corner_face k K) as (t & e & E & I & _). destruct (known t e k E (I k (or_introl eq_refl))) as (x & X).
+  destruct (corner_face k K) as (t & e & E & I & _).
+  destruct (known t e k E (I k (or_introl eq_refl))) as (x & X).
   rewrite (find_point (c := c)), X. now eexists.
 Qed.
-Lemma ends_vertices n s : numbered (segments p) n = Some s -> incl (ends_of s) (part_vertices d c p).
+Lemma ends_vertices n s : numbered (segments p) n = Some s ->
+  incl (ends_of s) (part_vertices d c p).
 Proof. intros E v [<-|[<-|[]]]; apply corner_vertex; now apply (ends_corners n s). Qed.
-Lemma vertex_corner v : In v (part_vertices d c p) -> exists k, is_corner roles_of k = true /\ v = spot k.
+Lemma vertex_corner v : In v (part_vertices d c p) -> exists k, is_corner roles_of k = true /\
+  v = spot k.
 Proof.
-  intros I. apply (in_part_vertices c p planar kind shown part_accepts) in I. destruct I as (k & e & t & _ & R & ->). exists k.
+  intros I. apply (in_part_vertices c p planar kind shown part_accepts) in I.
+  destruct I as (k & e & t & _ & R & ->). exists k.
   split; [|reflexivity]. apply is_corner_role. eauto.
 Qed.
 Lemma segment_numbered a b : In (a, b) (part_segments d c p) -> exists n s,
   numbered (segments p) n = Some s /\ [a; b] = ends_of s.
 Proof.
-  intros I. apply in_map_iff in I. destruct I as (s & E & I). apply in_numbered in I. destruct I as (n & N).
+  intros I. apply in_map_iff in I. destruct I as (s & E & I). apply in_numbered in I.
+  destruct I as (n & N).
   exists n, s. split; [assumption|]. now injection E as <- <-.
 Qed.
 
@@ -367,7 +400,8 @@ Proof.
       assert (V : forall y, In y [a; b] -> In y (part_vertices d c p)).
       { rewrite Eg. apply (ends_vertices n g G). }
       assert (J : incl (x :: f) [a; b]) by now apply incl_tran with s.
-      destruct (in_dec point_eq_dec a (x :: f)) as [Ia|Na], (in_dec point_eq_dec b (x :: f)) as [Ib|Nb].
+      destruct (in_dec point_eq_dec a (x :: f)) as [Ia|Na], (in_dec point_eq_dec b (x :: f))
+        as [Ib|Nb].
       * right. exists a, b. split; [assumption|]. split; [assumption|]. now intros y [<-|[<-|[]]].
       * left. exists a. split; [apply V; now left|]. split; [|now intros y [<-|[]]].
         intros y Iy. destruct (J y Iy) as [<-|[<-|[]]]; [now left|contradiction].
@@ -378,7 +412,8 @@ Proof.
     split; [intros v Iv; now apply in_meet in Iv|]. split; [intros v Iv; now apply in_meet in Iv|].
     intros q Cs Ct.
     assert (Single : forall r v, same r [v] -> conv r q -> q = v /\ In q r).
-    { intros r v S C. apply (conv_same r [v] q S) in C. apply Combinations.conv_singleton in C. subst q.
+    { intros r v S C. apply (conv_same r [v] q S) in C. apply Combinations.conv_singleton in C.
+      subst q.
       split; [reflexivity|]. apply S. now left. }
     assert (End : forall r a b v, In (a, b) (part_segments d c p) -> same r [a; b] -> conv r q ->
       In v (part_vertices d c p) -> q = v -> In q r).
@@ -391,16 +426,19 @@ Proof.
     + apply Both; [now apply (Single s v)|now apply (Single t v')].
     + destruct (Single s v Ss Cs) as [Eq Iq]. apply Both; [assumption|]. now apply (End t a' b' v).
     + destruct (Single t v' St Ct) as [Eq Iq]. apply Both; [|assumption]. now apply (End s a b v').
-    + destruct (segment_numbered a b I) as (n & g & G & Eg). destruct (segment_numbered a' b' I') as (n' & g' & G' & Eg').
+    + destruct (segment_numbered a b I) as (n & g & G & Eg).
+      destruct (segment_numbered a' b' I') as (n' & g' & G' & Eg').
       pose proof Cs as C1. pose proof Ct as C2. rewrite Eg in Ss. rewrite Eg' in St.
       apply (conv_same s _ q Ss) in C1. apply (conv_same t _ q St) in C2.
       destruct (segment_face n g q G C1) as (y & z & Fa & Al & Y & Z).
       destruct (segment_face n' g' q G' C2) as (y' & z' & Fa' & Al' & Y' & Z').
       destruct (common_face _ _ _ _ q Fa Fa' Al Al') as [(k & Ik & Ik' & K & Eq)|(h & O & O')].
-      * pose proof (corner_vertex k K) as Vk. apply Both; [now apply (End s a b (spot k) I); rewrite ?Eg|].
+      * pose proof (corner_vertex k K) as Vk.
+        apply Both; [now apply (End s a b (spot k) I); rewrite ?Eg|].
         now apply (End t a' b' (spot k) I'); rewrite ?Eg'.
       * assert (n = n').
-        { destruct O as [O|(k & j & _ & O & _)]; [|discriminate]. destruct O' as [O'|(k & j & _ & O' & _)]; [|discriminate].
+        { destruct O as [O|(k & j & _ & O & _)]; [|discriminate].
+          destruct O' as [O'|(k & j & _ & O' & _)]; [|discriminate].
           congruence. }
         subst n'. assert (g' = g) by congruence. subst g'. apply (conv_incl s); [|assumption].
         intros v Iv. apply in_meet. split; [assumption|]. apply St. now apply Ss.

@@ -1,8 +1,8 @@
 (** * What the kept simplices contain and fill
 
-    For an accepted part: the kept simplices are a complex; the vertices of the domain are vertices of
-    theirs; each segment is a union of edges; and they fill what their walls enclose, or the convex hull
-    of the vertices. *)
+    For an accepted part: the kept simplices are a complex; the vertices of the domain are vertices
+    of theirs; each segment is a union of edges; and they fill what their walls enclose, or the
+    convex hull of the vertices. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh.
@@ -63,7 +63,9 @@ Proof. exact (frames_exist Or Co c accepts). Qed.
 
 Lemma kept_members s : In s T <-> exists t e, entry t e /\ kept_at marks_of t = true /\
   s = map spot (corners e).
-Proof. destruct kept_exists as (geo & F). now apply (in_kept c p planar kind shown part_accepts geo F). Qed.
+Proof.
+  destruct kept_exists as (geo & F). now apply (in_kept c p planar kind shown part_accepts geo F).
+Qed.
 
 Theorem kept_complex : (forall t, In t T -> NoDup t /\ length t = S d) /\
   ForallOrdPairs (fun s t => ~ same s t) T /\ simplicial_complex (faces_of T).
@@ -74,13 +76,15 @@ Qed.
 
 (** ** Vertices *)
 
-Lemma is_corner_role k : is_corner roles_of k = true <-> exists t, numbered (roles p) k = Some (Corner t).
+Lemma is_corner_role k : is_corner roles_of k = true <->
+  exists t, numbered (roles p) k = Some (Corner t).
 Proof.
   unfold is_corner. rewrite find_id. destruct (numbered (roles p) k) as [[t|w]|]; split;
     try discriminate; eauto; intros (u & E); discriminate.
 Qed.
 Lemma in_part_vertices v : In v (part_vertices d c p) <->
-  exists k e t, numbered (points c) k = Some e /\ numbered (roles p) k = Some (Corner t) /\ v = spot k.
+  exists k e t, numbered (points c) k = Some e /\ numbered (roles p) k = Some (Corner t) /\
+    v = spot k.
 Proof.
   unfold part_vertices. rewrite in_flat_map. split.
   - intros ((e & ro) & I & V). cbn [fst snd] in V. destruct ro as [t|w]; [|destruct V].
@@ -95,11 +99,13 @@ Proof.
       now apply nth_error_combine.
     + cbn [fst snd]. left. symmetry. now apply spot_numbered.
 Qed.
-Lemma corner_in k : is_corner roles_of k = true -> (exists q, Table.find k (points_of m) = Some q) ->
+Lemma corner_in k : is_corner roles_of k = true ->
+  (exists q, Table.find k (points_of m) = Some q) ->
   In (spot k) (part_vertices d c p).
 Proof.
   intros C (q & Q). apply is_corner_role in C. destruct C as (t & C).
-  rewrite (find_point (c := c)) in Q. destruct (numbered (points c) k) as [e|] eqn:E; [|discriminate].
+  rewrite (find_point (c := c)) in Q. destruct (numbered (points c) k) as [e|] eqn:E;
+    [|discriminate].
   apply in_part_vertices. exists k, e, t. auto.
 Qed.
 
@@ -175,9 +181,11 @@ Lemma segment_checked n s : numbered (segments p) n = Some s -> exists a b,
   on_segment a b b = true /\ linked m planar kind marks_of a b (from s) (links s) = true.
 Proof.
   intros E. destruct parts as (_ & _ & H & _). apply (each_accepted _ _ H) in E.
-  unfold check_segment in E. cbv zeta in E. accepted. apply andb_prop in Heqb. destruct Heqb as [_ K].
+  unfold check_segment in E. cbv zeta in E. accepted. apply andb_prop in Heqb.
+  destruct Heqb as [_ K].
   destruct (Table.find (from s) (points_of m)) as [a|]; [|discriminate].
-  destruct (Table.find (last (map reached (links s)) (from s)) (points_of m)) as [b|]; [|discriminate].
+  destruct (Table.find (last (map reached (links s)) (from s)) (points_of m)) as [b|];
+    [|discriminate].
   apply andb_prop in K. destruct K. exists a, b. auto.
 Qed.
 Lemma edge_spec t i u v : edge_of m planar kind marks_of t i u v = true -> exists e, entry t e /\
@@ -208,7 +216,8 @@ Proof.
   destruct (point_known Co c accepts _ _ Fb) as (Sb & Hb & Qb).
   unfold segment_ends. cbn [fst snd]. rewrite Sa, Sb.
   assert (Start : on_it a b (from s)).
-  { unfold on_it, ratio_of. rewrite <- Qa, ratio_start, between_start, Sa. split; [lra|reflexivity]. }
+  { unfold on_it, ratio_of. rewrite <- Qa, ratio_start, between_start, Sa. split; [lra|reflexivity].
+    }
   intros q. split.
   - intros C. apply conv_two in C. destruct C as (t & Ht & ->).
     apply (linked_covers a b Ha Hb); try assumption.
@@ -218,7 +227,8 @@ Proof.
     + unfold ratio_of. rewrite <- Qa, ratio_start. lra.
     + unfold ratio_of. rewrite <- Qb, ratio_end by assumption. lra.
   - intros (x & Ix & C).
-    destruct (linked_edges a b Ha Hb _ _ Start L x Ix) as (y & z & t & i & -> & (Y1 & Y2) & (Z1 & Z2) & _).
+    destruct (linked_edges a b Ha Hb _ _ Start L x Ix) as (y & z & t & i & ->
+      & (Y1 & Y2) & (Z1 & Z2) & _).
     apply (conv_conv (map spot [y; z])); [|assumption]. intros v [<-|[<-|[]]].
     + rewrite Y2. apply conv_two. eauto.
     + rewrite Z2. apply conv_two. eauto.
@@ -234,10 +244,12 @@ Proof.
   cbn [linked] in L. cbv zeta in L. apply andb_prop in L. destruct L as [L L2].
   apply andb_prop in L. destruct L as [Ed _]. destruct Ix as [<-|Ix].
   - exists u, l. split; [reflexivity|]. split; [now left|assumption].
-  - destruct (IH _ L2 Ix) as (v & k & -> & Ik & K). exists v, k. split; [reflexivity|]. split; [now right|assumption].
+  - destruct (IH _ L2 Ix) as (v & k & -> & Ik & K). exists v, k. split; [reflexivity|].
+    split; [now right|assumption].
 Qed.
 Theorem segment_edges s : In s (segments p) -> exists F : list (list positive),
-  (forall x, In x F -> exists y z t i, x = [y; z] /\ edge_of m planar kind marks_of t i y z = true) /\
+  (forall x, In x F -> exists y z t i, x = [y; z] /\ edge_of m planar kind marks_of t i y z = true)
+    /\
   forall q, conv [fst (segment_ends d c s); snd (segment_ends d c s)] q <->
     exists x, In x F /\ conv (map spot x) q.
 Proof.
@@ -292,7 +304,8 @@ Lemma flagged_is_shown t e i : kind = Enclosed -> entry t e -> (i <= d)%nat ->
 Proof.
   intros K E Hi F. destruct kept_exists as (geo & G).
   destruct (wall_exists Co positive_d c accepts t e i E Hi) as (f & W).
-  destruct (facet_checked c p planar kind shown part_accepts K t e i f E W) as (k & Ek & _ & _ & _ & Sh).
+  destruct (facet_checked c p planar kind shown part_accepts K t e i f E W)
+    as (k & Ek & _ & _ & _ & Sh).
   apply (wall_at_flag p t k i Ek) in F. destruct F as (w & Fw). exists w. now apply Sh.
 Qed.
 
@@ -306,7 +319,8 @@ Proof.
   injection HP as HP. injection HL as HL. cbn [combine map fst snd].
   change (Vector.cons R (IZR (a * x + y)) n
       (integer_point n (map (fun xy => (a * fst xy + snd xy)%Z) (combine P L))) =
-    Vector.cons R (IZR a * IZR x + IZR y) n (plus (scale (IZR a) (integer_point n P)) (integer_point n L))).
+    Vector.cons R (IZR a * IZR x + IZR y) n (plus (scale (IZR a) (integer_point n P))
+      (integer_point n L))).
   rewrite (IH a P L HP HL). f_equal. now rewrite plus_IZR, mult_IZR.
 Qed.
 Lemma integer_zeros n : integer_point n (repeat 0%Z n) = origin.
@@ -338,7 +352,8 @@ Proof.
     apply andb_prop in K. destruct K as [Pa Ck]. apply Z.leb_le, IZR_le in Pa.
     destruct (IH n' l' eq_refl) as (Ll & M & Tm & Cm).
     destruct (point_known Co c accepts k q Q) as (Sk & Sh & _). split; [|split; [|split]].
-    + rewrite map_length, combine_length, Ll. unfold well_shaped in Sh. rewrite Sh. apply Nat.min_id.
+    + rewrite map_length, combine_length, Ll. unfold well_shaped in Sh. rewrite Sh.
+      apply Nat.min_id.
     + cbn [map fst snd]. intros b x [X|X]; [|now apply M]. injection X as <- <-.
       split; [assumption|]. apply corner_in; eauto.
     + cbn [map fst snd]. rewrite total_cons, Tm. symmetry. apply plus_IZR.
@@ -358,12 +373,14 @@ Proof.
       apply in_part_vertices in Iv. destruct Iv as (k & e & t & E & _ & ->).
       now apply spot_in with e.
     + apply in_tets in Ht. destruct Ht as (e & E). exists (map spot (corners e)).
-      split; [apply kept_members; exists t, e; repeat split; [exact E|exact (All t e E)]|]. rewrite <- (entry_vertices c geo G t e E).
+      split; [apply kept_members; exists t, e; repeat split; [exact E|exact (All t e E)]|].
+      rewrite <- (entry_vertices c geo G t e E).
       now apply conv_vertices.
   - intros (s & Is & C). apply kept_members in Is. destruct Is as (t & e & E & _ & ->).
     apply (conv_conv (map spot (corners e))); [|assumption]. intros v Iv. apply in_map_iff in Iv.
     destruct Iv as (k & <- & Ik).
-    destruct (simplex_accepted dim_d accepts t e E) as (Known & _). destruct (Known k Ik) as (x & X).
+    destruct (simplex_accepted dim_d accepts t e E) as (Known & _).
+    destruct (Known k Ik) as (x & X).
     destruct parts as (_ & H & _). apply each_pair_accepted in H. destruct H as [L H].
     destruct (numbered_beside _ _ _ _ L X) as (ro & Ro). specialize (H k x ro X Ro).
     unfold check_role in H. accepted. destruct ro as [u|w].

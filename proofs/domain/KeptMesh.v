@@ -1,8 +1,8 @@
 (** * The kept simplices of an accepted certificate
 
-    The mesh of the whole hull fills it (Soundness.v); the kept simplices are a part of this complex.
-    Here the conditions of DomainChecker.v are taken apart, and turned into statements about the kept
-    simplices: which vertices and segments they contain, and what they fill. *)
+    The mesh of the whole hull fills it (Soundness.v); the kept simplices are a part of this
+    complex. Here the conditions of DomainChecker.v are taken apart, and turned into statements
+    about the kept simplices: which vertices and segments they contain, and what they fill. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Export Lists.
@@ -42,7 +42,8 @@ Proof. rewrite table_find. now destruct (numbered l k). Qed.
 (** ** The conditions *)
 
 Lemma part_parts : weights_of (claimed c) = false /\
-  each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c) (roles p) = Accepted /\
+  each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c)
+    (roles p) = Accepted /\
   each (check_segment m planar kind roles_of marks_of) 1 (segments p) = Accepted /\
   each (check_hole pr m marks_of (simplices c) (marks p)) 1 (holes p) = Accepted /\
   each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
@@ -250,7 +251,8 @@ Hypothesis is_enclosed : kind = Enclosed.
 
 (** What the marks of a simplex and of its neighbour are. *)
 Lemma facet_checked t e i f : entry t e -> nth_error (walls e) i = Some f -> exists k,
-  numbered (marks p) t = Some k /\ kept_at marks_of t = kept k /\ consistent marks_of k i f = true /\
+  numbered (marks p) t = Some k /\ kept_at marks_of t = kept k /\
+    consistent marks_of k i f = true /\
   DomainChecker.gets_out holes_of marks_of t e k = true /\
   (forall w, flag k i = Some w -> shown (corners e) i w = true).
 Proof.
@@ -283,7 +285,8 @@ Qed.
 
 Lemma wall_in_both t i u j : adjacent tets geo t i u j -> wall_at t i -> wall_at u j.
 Proof.
-  intros A W. apply adjacent_adj in A. destruct (across_checked t i u j A) as (k & k' & K & K' & _ & _ & C).
+  intros A W. apply adjacent_adj in A.
+  destruct (across_checked t i u j A) as (k & k' & K & K' & _ & _ & C).
   apply (wall_at_flag t k i K) in W. destruct W as (w & F). rewrite F in C.
   apply (wall_at_flag u k' j K'). destruct (flag k' j) as [w'|]; [eauto|discriminate].
 Qed.
@@ -336,20 +339,23 @@ Proof.
   intros Q i Hi. apply (G _ Q). lia.
 Qed.
 Lemma all_sides_intro f h X : (forall i, (i <= d)%nat ->
-    f (side pr i X (hole_point h) (hole_w h)) = true) -> all_sides pr f (S (dimension pr)) X h = true.
+    f (side pr i X (hole_point h) (hole_w h)) = true) ->
+      all_sides pr f (S (dimension pr)) X h = true.
 Proof.
   rewrite dim_d. intros H. assert (G : forall n, (n <= S d)%nat -> all_sides pr f n X h = true).
   { induction n as [|n IH]; intros L; [reflexivity|]. cbn [all_sides]. rewrite H by lia.
     rewrite IH by lia. reflexivity. }
   apply G. lia.
 Qed.
-Lemma off_facets_spec e X h : off_facets pr e (S (dimension pr)) X h = true -> forall i w, (i <= d)%nat ->
+Lemma off_facets_spec e X h : off_facets pr e (S (dimension pr)) X h = true ->
+  forall i w, (i <= d)%nat ->
   flag e i = Some w -> side pr i X (hole_point h) (hole_w h) = 0%Z -> closed_in pr X h = false.
 Proof.
   rewrite dim_d.
   assert (G : forall n, off_facets pr e n X h = true -> forall i w, (i < n)%nat ->
     flag e i = Some w -> side pr i X (hole_point h) (hole_w h) = 0%Z -> closed_in pr X h = false).
-  { induction n as [|n IH]; intros Q i w Hi F Z0; [lia|]. cbn [off_facets] in Q. apply andb_prop in Q.
+  { induction n as [|n IH]; intros Q i w Hi F Z0; [lia|]. cbn [off_facets] in Q.
+    apply andb_prop in Q.
     destruct Q as [Q Q']. destruct (Nat.eq_dec i n) as [->|N]; [|apply (IH Q' i w); auto; lia].
     rewrite F, Z0 in Q. cbn [Z.eqb andb] in Q. now apply negb_true_iff in Q. }
   intros Q i w Hi. apply (G _ Q i w). lia.
@@ -371,7 +377,8 @@ Lemma hole_checked n h : numbered (holes p) n = Some h ->
   ~ walls_in (seed_point d c (hole_point h) (hole_w h)).
 Proof.
   intros E. destruct part_parts as (_ & _ & _ & H & _). apply (each_accepted _ _ H) in E.
-  unfold check_hole in E. accepted. repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]).
+  unfold check_hole in E. accepted.
+  repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]).
   apply negb_true_iff in Heqb. apply Z.ltb_lt in H1.
   unfold shaped in H2. apply Nat.eqb_eq in H2. rewrite dim_d in H2.
   rewrite (find_simplex (c := c)) in H0.
@@ -382,7 +389,8 @@ Proof.
   apply (find_all_sites (d := d)) in Fa. destruct Fa as [-> _].
   set (q := seed_point d c (hole_point h) (hole_w h)).
   assert (Side : forall t e' i, entry t e' -> (i <= d)%nat -> exists a, 0 < a /\
-    IZR (side pr i (map (site_at d c) (corners e')) (hole_point h) (hole_w h)) = a * bary (geo t) i q).
+    IZR (side pr i (map (site_at d c) (corners e')) (hole_point h) (hole_w h)) = a * bary
+      (geo t) i q).
   { intros t e' i E' Hi.
     exact (side_bary Or Co c accepts geo frames t e' i (hole_point h) (hole_w h) E' Hi H2 H1). }
   apply orb_prop in H0. destruct H0 as [H0|H0].
@@ -401,7 +409,8 @@ Proof.
       apply (find_all_sites (d := d)) in Fx. destruct Fx as [-> _].
       apply (wall_at_flag t k i K) in W. destruct W as (w & F).
       assert (S0 : side pr i (map (site_at d c) (corners e')) (hole_point h) (hole_w h) = 0%Z).
-      { destruct (Side t e' i E' Hi) as (a & _ & Eq). rewrite Z0, Rmult_0_r in Eq. now apply eq_IZR in Eq. }
+      { destruct (Side t e' i E' Hi) as (a & _ & Eq). rewrite Z0, Rmult_0_r in Eq.
+        now apply eq_IZR in Eq. }
       pose proof (off_facets_spec k _ h Of i w Hi F S0) as N. unfold closed_in in N.
       rewrite all_sides_intro in N; [discriminate|]. intros l Hl. apply Z.leb_le, le_IZR.
       destruct (Side t e' l E' Hl) as (a & A & ->). specialize (C l Hl). nra.
@@ -422,15 +431,19 @@ Proof.
     destruct I as (n & N). destruct (hole_checked n h N) as (K & It & Is & Off).
     split; [assumption|]. exists (hole_simplex h). auto.
   - intros t Ht Kf. apply in_tets in Ht. destruct Ht as (e & E).
-    destruct (mark_of t e E) as (k & K & Kt & Ck). unfold check_mark in Ck. rewrite is_enclosed in Ck.
+    destruct (mark_of t e E) as (k & K & Kt & Ck). unfold check_mark in Ck.
+    rewrite is_enclosed in Ck.
     accepted. unfold DomainChecker.gets_out in Heqb. rewrite <- Kt, Kf in Heqb. cbn [orb] in Heqb.
-    assert (Open : forall i, match flag k i with Some _ => false | None => true end = true -> ~ wall_at t i).
+    assert (Open : forall i, match flag k i with Some _ => false | None => true end = true ->
+      ~ wall_at t i).
     { intros i O. rewrite (wall_at_flag t k i K). intros (w & W). now rewrite W in O. }
     destruct (way_out k) as [h|i|i].
     + rewrite find_id in Heqb. destruct (numbered (holes p) h) as [x|] eqn:X; [|discriminate].
-      apply Pos.eqb_eq in Heqb. destruct (hole_checked h x X) as (_ & _ & Is & _). rewrite Heqb in Is.
+      apply Pos.eqb_eq in Heqb. destruct (hole_checked h x X) as (_ & _ & Is & _).
+      rewrite Heqb in Is.
       left. exists (seed_point d c (hole_point x) (hole_w x)). split; [|assumption].
-      apply (in_map (fun h => seed_point d c (hole_point h) (hole_w h))). now apply numbered_in with h.
+      apply (in_map (fun h => seed_point d c (hole_point h) (hole_w h))).
+      now apply numbered_in with h.
     + apply andb_prop in Heqb. destruct Heqb as [O W].
       destruct (nth_error (walls e) i) as [[|h]|] eqn:Ew; try discriminate.
       assert (Hi : (i <= d)%nat) by (apply (wall_index Co c accepts t e); [assumption|congruence]).

@@ -1,4 +1,4 @@
-(** * Lists, as the checker of domains sees them: side by side, their members, what is left of them *)
+(** * Lists, as the checker of domains sees them: side by side, their members, what is left *)
 From Coq Require Import List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 Import ListNotations.
@@ -12,7 +12,8 @@ Proof.
     f (Pos.of_succ_nat i + k0 - 1)%positive a b = Accepted).
   { clear. induction l as [|x l IH]; intros [|y l'] k0 E; cbn in E; try discriminate.
     { split; [reflexivity|]. intros [|i]; discriminate. }
-    destruct (f k0 x y) eqn:F; [|discriminate]. destruct (IH l' _ E) as [L H]. split; [cbn; congruence|].
+    destruct (f k0 x y) eqn:F; [|discriminate]. destruct (IH l' _ E) as [L H].
+    split; [cbn; congruence|].
     intros [|i] a b N N'; cbn in N, N'.
     - injection N as <-. injection N' as <-.
       replace (Pos.of_succ_nat 0 + k0 - 1)%positive with k0 by lia. exact F.
@@ -24,7 +25,8 @@ Qed.
 Lemma numbered_beside {A B} (l : list A) (l' : list B) k a : length l = length l' ->
   numbered l k = Some a -> exists b, numbered l' k = Some b.
 Proof.
-  unfold numbered. intros L N. destruct (nth_error l' (pred (Pos.to_nat k))) as [b|] eqn:E; [eauto|].
+  unfold numbered. intros L N. destruct (nth_error l' (pred (Pos.to_nat k))) as [b|] eqn:E;
+    [eauto|].
   apply nth_error_None in E. assert (K : nth_error l (pred (Pos.to_nat k)) <> None) by congruence.
   apply nth_error_Some in K. lia.
 Qed.
@@ -61,7 +63,8 @@ Proof.
   - left. exists x. split; [now right|assumption].
   - right. intros (x & [<-|I] & Y); [contradiction|]. apply M. eauto.
 Qed.
-Lemma flat_map_kept {A B C} (g : A -> C) (keep : B -> bool) (G : positive -> C) (K : positive -> bool)
+Lemma flat_map_kept {A B C} (g : A -> C) (keep : B -> bool) (G : positive -> C) (K : positive ->
+  bool)
     (l : list A) (l' : list B) : length l = length l' ->
   (forall k a, numbered l k = Some a -> G k = g a) ->
   (forall k b, numbered l' k = Some b -> K k = keep b) ->

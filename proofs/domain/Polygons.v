@@ -1,8 +1,8 @@
 (** * Domains in the plane, and polygons in space
 
-    In the plane the walls are the segments, and the kept triangles fill what they enclose.  A polygon in
-    space is that of a domain in the plane, seen along an axis: its pieces are the facets of the mesh
-    that are above its kept triangles. *)
+    In the plane the walls are the segments, and the kept triangles fill what they enclose.  A
+    polygon in space is that of a domain in the plane, seen along an axis: its pieces are the facets
+    of the mesh that are above its kept triangles. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Combinations Shadow.
@@ -31,14 +31,17 @@ Let part_ok := plane_part_accepted.
 Let two : (1 <= 2)%nat := le_S 1 1 (le_n 1).
 
 (** What is shown to be part of a segment is on it. *)
-Lemma shown_segment K i w : shown_by_segment c p K i w = true -> exists s, numbered (segments p) (fst w) = Some s /\
+Lemma shown_segment K i w : shown_by_segment c p K i w = true ->
+  exists s, numbered (segments p) (fst w) = Some s /\
   forall q, conv (map spot (Checker.remove i K)) q ->
     conv [fst (segment_ends 2 c s); snd (segment_ends 2 c s)] q.
 Proof.
   intros Sh. unfold shown_by_segment in Sh. cbv zeta in Sh. rewrite find_id in Sh.
-  destruct (numbered (segments p) (fst w)) as [s|] eqn:Es; [|discriminate]. exists s. split; [exact eq_refl|].
+  destruct (numbered (segments p) (fst w)) as [s|] eqn:Es; [|discriminate]. exists s.
+  split; [exact eq_refl|].
   destruct (Table.find (from s) (points_of (mesh_of c))) as [a|] eqn:Fa; [|discriminate].
-  destruct (Table.find (last (map reached (links s)) (from s)) (points_of (mesh_of c))) as [b|] eqn:Fb;
+  destruct (Table.find (last (map reached (links s)) (from s)) (points_of (mesh_of c)))
+    as [b|] eqn:Fb;
     [|discriminate].
   destruct (point_known plane_computes c mesh_ok _ _ Fa) as (Sa & Ha & _).
   destruct (point_known plane_computes c mesh_ok _ _ Fb) as (Sb & Hb & _).
@@ -60,10 +63,12 @@ Proof.
     destruct (H x Ix) as (y & z & t & i & -> & Ed).
     apply (edge_spec plane_computes c mesh_ok p true kind _ part_ok) in Ed.
     destruct Ed as (e & Ee & _ & _ & _ & _ & Fl). destruct (Fl eq_refl K) as (Hi & Fa & M).
-    exists t, e, i. repeat (split; [assumption|]). apply (conv_incl (map spot [y; z])); [|assumption].
+    exists t, e, i. repeat (split; [assumption|]).
+    apply (conv_incl (map spot [y; z])); [|assumption].
     intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). apply in_map. now apply M.
   - intros (t & e & i & E & Hi & Fl & C).
-    destruct (flagged_is_shown oriented2 plane_computes two c mesh_ok p true kind _ part_ok t e i K E Hi Fl)
+    destruct (flagged_is_shown oriented2 plane_computes two c mesh_ok p true kind _ part_ok t e i K
+      E Hi Fl)
       as (w & Sh).
     destruct (shown_segment _ _ _ Sh) as (s & Es & In_s).
     exists (fst (segment_ends 2 c s)), (snd (segment_ends 2 c s)). split; [|now apply In_s].
@@ -74,7 +79,8 @@ Theorem plane_enclosed q : kind = Enclosed ->
   enclosed (fun _ => True) (on_segments (part_segments 2 c p)) (part_holes 2 c p) q <->
   exists t, In t T /\ conv t q.
 Proof.
-  intros K. apply (kept_enclosed oriented2 plane_computes two c mesh_ok p true kind _ part_ok); [assumption|].
+  intros K. apply (kept_enclosed oriented2 plane_computes two c mesh_ok p true kind _ part_ok);
+    [assumption|].
   intros x. now apply segments_flagged.
 Qed.
 End Plane.
@@ -82,7 +88,8 @@ End Plane.
 (** ** Polygons *)
 
 Lemma over_spec f q w p : over f q w p = true -> length (normal f) = 3%nat -> (axis f < 3)%nat ->
-  forall r, inner (integer_point 3 (normal f)) (scale r (integer_point 3 p)) = r * IZR w * IZR (offset f) /\
+  forall r, inner (integer_point 3 (normal f)) (scale r (integer_point 3 p)) = r * IZR w * IZR
+    (offset f) /\
     shadow (axis f) (scale r (integer_point 3 p)) = scale r (integer_point 2 q) /\ length p = 3%nat.
 Proof.
   unfold over. intros H Ln Ax r. apply andb_prop in H. destruct H as [H S]. apply andb_prop in H.
@@ -141,7 +148,8 @@ Qed.
 Lemma above_spec k e : numbered (points p2) k = Some e -> exists j, numbered (above f) k = Some j /\
   flat n o (spot j) /\ sh (spot j) = spot2 k.
 Proof.
-  intros E. destruct polygon_parts as (_ & _ & Ln & Ax & _ & _ & H & _). apply each_pair_accepted in H.
+  intros E. destruct polygon_parts as (_ & _ & Ln & Ax & _ & _ & H & _).
+  apply each_pair_accepted in H.
   destruct H as [L H]. destruct (numbered_beside _ _ _ _ L E) as (j & J). exists j.
   split; [assumption|]. specialize (H k e j E J). unfold check_above in H. accepted.
   destruct (Table.find j (points_of (mesh_of c))) as [q|] eqn:Q; [|discriminate].
@@ -152,9 +160,11 @@ Proof.
 Qed.
 Definition up (k : positive) : point 3 :=
   match numbered (above f) k with Some j => spot j | None => origin end.
-Lemma up_spec k q : Table.find k (points_of (mesh_of p2)) = Some q -> flat n o (up k) /\ sh (up k) = spot2 k.
+Lemma up_spec k q : Table.find k (points_of (mesh_of p2)) = Some q -> flat n o (up k) /\
+  sh (up k) = spot2 k.
 Proof.
-  intros Q. rewrite (find_point (c := p2)) in Q. destruct (numbered (points p2) k) as [e|] eqn:E; [|discriminate].
+  intros Q. rewrite (find_point (c := p2)) in Q. destruct (numbered (points p2) k) as [e|] eqn:E;
+    [|discriminate].
   destruct (above_spec k e E) as (j & J & F). unfold up. now rewrite J.
 Qed.
 
@@ -187,13 +197,16 @@ Lemma seed_spec k h s : numbered (holes part2) k = Some h -> numbered (seeds f) 
   flat n o (seed_point 3 c (fst s) (snd s)) /\
   sh (seed_point 3 c (fst s) (snd s)) = seed_point 2 p2 (hole_point h) (hole_w h).
 Proof.
-  intros Hk Sk. destruct polygon_parts as (_ & _ & Ln & Ax & _ & Pl & _ & H). apply each_pair_accepted in H.
+  intros Hk Sk. destruct polygon_parts as (_ & _ & Ln & Ax & _ & Pl & _ & H).
+  apply each_pair_accepted in H.
   destruct H as [_ H]. specialize (H k h s Hk Sk). unfold check_seed in H. accepted.
   apply andb_prop in Heqb. destruct Heqb as [W Ov]. apply Z.eqb_eq in W.
   assert (Pw : (0 < hole_w h)%Z).
-  { pose proof (part_parts p2 part2 true Enclosed _ (plane_part_accepted _ _ _ Pl)) as (_ & _ & _ & X & _).
+  { pose proof (part_parts p2 part2 true Enclosed _ (plane_part_accepted _ _ _ Pl))
+      as (_ & _ & _ & X & _).
     apply (each_accepted _ _ X) in Hk. unfold check_hole in Hk. accepted.
-    repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]). now apply Z.ltb_lt. }
+    repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]).
+    now apply Z.ltb_lt. }
   rewrite W in Pw. apply IZR_lt in Pw.
   destruct (over_spec f _ _ _ Ov Ln Ax (unit_of c / IZR (snd s))) as (F & Sh & _).
   unfold seed_point, flat, place_of. split; [rewrite F; field; lra|]. now rewrite Sh, same_unit, W.
@@ -227,7 +240,8 @@ Lemma polygon_at x : flat n o x -> polygon_points (polygon_of 3 D f) x <->
 Proof.
   intros X. rewrite <- (plane_enclosed Enclosed p2 part2 plane_ok (sh x) eq_refl).
   unfold polygon_points.
-  apply (enclosed_shadow (axis f) (plane_normal (polygon_of 3 D f)) (plane_offset (polygon_of 3 D f)));
+  apply (enclosed_shadow (axis f) (plane_normal (polygon_of 3 D f))
+    (plane_offset (polygon_of 3 D f)));
     unfold polygon_of; rewrite ?of_D; cbn [plane_normal plane_offset gaps].
   - exact polygon_seen.
   - intros y Y. pose proof (rim_shadow y Y) as R. unfold polygon_of in R. now rewrite of_D in R.
@@ -236,7 +250,8 @@ Proof.
     apply in_numbered in Is. destruct Is as (k & Sk). symmetry in L.
     destruct (numbered_beside _ _ _ _ L Sk) as (h & Hk). destruct (seed_spec k h s Hk Sk) as [F S].
     split; [exact F|]. rewrite S. unfold part_holes.
-    apply (in_map (fun h => seed_point 2 p2 (hole_point h) (hole_w h))). now apply numbered_in with k.
+    apply (in_map (fun h => seed_point 2 p2 (hole_point h) (hole_w h))).
+    now apply numbered_in with k.
   - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H). apply each_pair_accepted in H.
     destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (h & <- & Ih).
     apply in_numbered in Ih. destruct Ih as (k & Hk).
@@ -253,16 +268,20 @@ Theorem polygon_covered q : polygon_points (polygon_of 3 D f) q <->
     conv (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))) q.
 Proof.
   split.
-  - intros H. pose proof (polygon_is_flat q H) as X. apply (polygon_at q X) in H. destruct H as (t & It & C).
-    apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
+  - intros H. pose proof (polygon_is_flat q H) as X. apply (polygon_at q X) in H.
+    destruct H as (t & It & C).
+    apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true
+      Enclosed _
       (plane_part_accepted _ _ _ plane_ok)) in It.
     destruct It as (u & s & E & K & ->). exists u, s. split; [assumption|]. split; [assumption|].
     destruct (named_spec u s E) as [Fl M].
     apply (conv_shadow (axis f) n o polygon_seen _ q Fl). rewrite M. auto.
   - intros (u & s & E & K & C). destruct (named_spec u s E) as [Fl M].
-    apply (conv_shadow (axis f) n o polygon_seen _ q Fl) in C. destruct C as [X C]. apply (polygon_at q X).
+    apply (conv_shadow (axis f) n o polygon_seen _ q Fl) in C. destruct C as [X C].
+    apply (polygon_at q X).
     rewrite M in C. exists (map spot2 (corners s)). split; [|assumption].
-    apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
+    apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true
+      Enclosed _
       (plane_part_accepted _ _ _ plane_ok)). eauto.
 Qed.
 
@@ -274,9 +293,12 @@ Lemma polygon_normal D f : check_shape (whole_mesh D) (mesh_of (whole_mesh D)) f
 Proof.
   intros Sh. destruct (polygon_parts _ f Sh) as (_ & _ & Ln & Ax & Nz & _).
   cbn [polygon_of plane_normal]. destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate Ln.
-  intros E. apply Nz. pose proof (f_equal Vector.hd E) as E0. pose proof (f_equal Vector.tl E) as E'.
-  pose proof (f_equal Vector.hd E') as E1. pose proof (f_equal Vector.hd (f_equal Vector.tl E')) as E2.
-  cbn in E0, E1, E2. apply eq_IZR in E0, E1, E2. subst. destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
+  intros E. apply Nz. pose proof (f_equal Vector.hd E) as E0.
+  pose proof (f_equal Vector.tl E) as E'.
+  pose proof (f_equal Vector.hd E') as E1.
+  pose proof (f_equal Vector.hd (f_equal Vector.tl E')) as E2.
+  cbn in E0, E1, E2. apply eq_IZR in E0, E1, E2. subst.
+  destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
 Qed.
 
 (** Its place in the mesh. *)
@@ -296,7 +318,8 @@ Notation part2 := (plane_part f).
 Notation spot2 := (Definitions.spot 2 p2).
 Notation sh := (shadow (axis f)).
 
-Lemma spots_known j q : Table.find j (points_of (mesh_of c)) = Some q -> spot j = place_of (unit_of c) q.
+Lemma spots_known j q : Table.find j (points_of (mesh_of c)) = Some q ->
+  spot j = place_of (unit_of c) q.
 Proof. intros Q. apply (point_known space_computes c accepts j q Q). Qed.
 Lemma shape_ok : check_shape c (mesh_of c) f = Accepted.
 Proof. pose proof polygon_accepts as H. unfold check_polygon in H. now accepted. Qed.
@@ -305,7 +328,8 @@ Let named_spec := named_spec c spots_known f shape_ok.
 Let polygon_covered := polygon_covered c spots_known D of_D f shape_ok.
 
 Lemma tile_at u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (tiles f) u = Some (t, i) /\ numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+  exists t i e, numbered (tiles f) u = Some (t, i) /\ numbered (simplices c) t = Some e /\
+    kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
     (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
     forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
       In x (Checker.remove i (corners e)).
@@ -313,11 +337,13 @@ Proof.
   intros E K. pose proof polygon_accepts as H. unfold check_polygon in H. cbv zeta in H.
   destruct (check_shape c (mesh_of c) f); [|discriminate]. apply each_pair_accepted in H.
   destruct H as [L H].
-  destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E) as (k & Ek & Kt & _).
+  destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E)
+    as (k & Ek & Kt & _).
   assert (Eb : numbered (combine (simplices p2) (marks part2)) u = Some (s, k)).
   { unfold numbered in *. now apply nth_error_combine. }
   destruct (numbered_beside _ _ _ _ L Eb) as (ti & Ti). specialize (H u _ ti Eb Ti).
-  unfold check_tile in H. accepted. cbn [fst snd] in Heqb. rewrite <- Kt, K in Heqb. cbn [negb orb] in Heqb.
+  unfold check_tile in H. accepted. cbn [fst snd] in Heqb. rewrite <- Kt, K in Heqb.
+  cbn [negb orb] in Heqb.
   apply andb_prop in Heqb. destruct Heqb as [Hk M]. apply andb_prop in Hk. destruct Hk as [Hk Fl].
   rewrite (find_simplex (c := c)) in M.
   destruct (numbered (simplices c) (fst ti)) as [e|] eqn:Ee; [|discriminate].
@@ -331,13 +357,15 @@ Proof.
 Qed.
 
 Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\
+    (i <= 3)%nat /\
     (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
     forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
       In x (Checker.remove i (corners e)).
 Proof. intros E K. destruct (tile_at u s E K) as (t & i & e & _ & H). eauto. Qed.
 
-Theorem polygon_union : union_of_simplices (part_simplices 3 c p) (polygon_points (polygon_of 3 D f)).
+Theorem polygon_union : union_of_simplices (part_simplices 3 c p)
+  (polygon_points (polygon_of 3 D f)).
 Proof.
   set (g (s : simplex_entry) :=
     map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))).
@@ -349,12 +377,15 @@ Proof.
     - intros ((s & k) & I & X). cbn [fst snd] in X. destruct (kept k) eqn:K; [|destruct X].
       destruct X as [<-|[]]. apply In_nth_error in I. destruct I as (i & I).
       apply nth_error_combine in I. destruct I as [Is Ik]. exists (Pos.of_succ_nat i), s.
-      unfold numbered, kept_at. rewrite find_id. unfold numbered. rewrite !SuccNat2Pos.id_succ. cbn [pred].
+      unfold numbered, kept_at. rewrite find_id. unfold numbered. rewrite !SuccNat2Pos.id_succ.
+      cbn [pred].
       now rewrite Is, Ik.
     - intros (u & s & E & K & ->).
-      destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E) as (k & Ek & Kt & _).
+      destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E)
+        as (k & Ek & Kt & _).
       exists (s, k). split.
-      + unfold numbered in E, Ek. apply nth_error_In with (pred (Pos.to_nat u)). now apply nth_error_combine.
+      + unfold numbered in E, Ek. apply nth_error_In with (pred (Pos.to_nat u)).
+        now apply nth_error_combine.
       + cbn [fst snd]. rewrite <- Kt, K. now left. }
   exists F. split.
   - intros x Ix. apply InF in Ix. destruct Ix as (u & s & E & K & ->).
@@ -363,7 +394,8 @@ Proof.
     destruct (kept_complex oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok)
       part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok)) as (Nd & _).
     destruct (Nd (map spot2 (corners s))) as [N2 L2].
-    { apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok) part2 true Enclosed _
+    { apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok) part2 true
+        Enclosed _
       (plane_part_accepted _ _ _ flat_ok)). eauto. }
     split; [|split].
     + apply (NoDup_map_inv sh). now rewrite Sh.
@@ -382,7 +414,8 @@ Proof.
   intros K H. apply polygon_covered in H. destruct H as (u & s & E & Ku & C).
   destruct (tile_spec u s E Ku) as (t & i & e & Ee & Kt & Hi & Fl & M). exists t, e, i.
   split; [assumption|]. split; [assumption|]. split; [now apply Fl|].
-  apply (conv_incl (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s)))); [|assumption].
+  apply (conv_incl (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))));
+    [|assumption].
   intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). apply in_map. now apply M.
 Qed.
 End Polygon.

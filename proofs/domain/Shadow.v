@@ -1,7 +1,7 @@
 (** * A plane in space, seen along an axis
 
-    If the normal of a plane is not orthogonal to an axis, the plane is seen along it in the same way:
-    what is a hull, a segment or enclosed in the plane is so in the picture. *)
+    If the normal of a plane is not orthogonal to an axis, the plane is seen along it in the same
+    way: what is a hull, a segment or enclosed in the plane is so in the picture. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Coq Require Vector.
 From Circumspect Require Import DomainChecker.
@@ -58,8 +58,10 @@ Definition raised (p : point 2) : point 3 :=
 Lemma shadow_between x y s : shadow (between x y s) = between (shadow x) (shadow y) s.
 Proof.
   change (between (d := 3)) with (mix (d := 3)). change (between (d := 2)) with (mix (d := 2)).
-  apply point2_ext; rewrite ?(affine_mix _ _ _ _ affine_abscissa2), ?(affine_mix _ _ _ _ affine_ordinate2);
-    unfold shadow; destruct i as [|[|k]]; cbn [abscissa ordinate pair_of Vector.hd Vector.tl Vector.caseS];
+  apply point2_ext; rewrite ?(affine_mix _ _ _ _ affine_abscissa2),
+    ?(affine_mix _ _ _ _ affine_ordinate2);
+    unfold shadow; destruct i as [|[|k]];
+      cbn [abscissa ordinate pair_of Vector.hd Vector.tl Vector.caseS];
     unfold abscissa, ordinate, pair_of; cbn [Vector.hd Vector.tl Vector.caseS];
     first [exact (affine_mix _ x y s affine_abscissa3)|exact (affine_mix _ x y s affine_ordinate3)|
            exact (affine_mix _ x y s affine_height3)].
@@ -76,7 +78,8 @@ Lemma raised_shadow q : flat q -> raised (shadow q) = q.
 Proof.
   unfold flat. rewrite inner_3. intros F. unfold axis_of in seen. unfold raised, shadow.
   destruct i as [|[|k]]; apply point3_ext; try reflexivity;
-    unfold abscissa, ordinate, height, triple_of, pair_of in *; cbn [Vector.hd Vector.tl Vector.caseS];
+    unfold abscissa, ordinate, height, triple_of, pair_of in *;
+      cbn [Vector.hd Vector.tl Vector.caseS];
     rewrite <- F; field; exact seen.
 Qed.
 Lemma flat_between x y s : flat x -> flat y -> flat (between x y s).
@@ -114,7 +117,8 @@ Proof.
   { intros a1 a2 a0 e E.
     exists (r + 3 * ((a0 / e) * (a0 / e) + (a1 / e) * (a1 / e) * r + (a2 / e) * (a2 / e) * r)).
     intros u v H.
-    replace ((a0 - a1 * u - a2 * v) / e) with (a0 / e + (- (a1 / e) * u) + (- (a2 / e) * v)) by (field; lra).
+    replace ((a0 - a1 * u - a2 * v) / e) with (a0 / e + (- (a1 / e) * u) + (- (a2 / e) * v))
+      by (field; lra).
     pose proof (three_squares (a0 / e) (- (a1 / e) * u) (- (a2 / e) * v)) as S.
     set (x := a1 / e) in *. set (y := a2 / e) in *. set (z := a0 / e) in *.
     pose proof (Rle_0_sqr u) as U. pose proof (Rle_0_sqr v) as V. unfold Rsqr in U, V.
@@ -125,29 +129,35 @@ Proof.
   destruct i as [|[|k]].
   - destruct (G (ordinate n) (height n) o (abscissa n) seen) as (b & B). exists b. intros p.
     unfold norm2. rewrite inner2, inner_3. intros H. specialize (B _ _ H).
-    unfold abscissa, ordinate, height, triple_of, pair_of in *; cbn [Vector.hd Vector.tl Vector.caseS] in *. lra.
+    unfold abscissa, ordinate, height, triple_of, pair_of in *;
+      cbn [Vector.hd Vector.tl Vector.caseS] in *. lra.
   - destruct (G (abscissa n) (height n) o (ordinate n) seen) as (b & B). exists b. intros p.
     unfold norm2. rewrite inner2, inner_3. intros H. specialize (B _ _ H).
-    unfold abscissa, ordinate, height, triple_of, pair_of in *; cbn [Vector.hd Vector.tl Vector.caseS] in *. lra.
+    unfold abscissa, ordinate, height, triple_of, pair_of in *;
+      cbn [Vector.hd Vector.tl Vector.caseS] in *. lra.
   - destruct (G (abscissa n) (ordinate n) o (height n) seen) as (b & B). exists b. intros p.
     unfold norm2. rewrite inner2, inner_3. intros H. specialize (B _ _ H).
-    unfold abscissa, ordinate, height, triple_of, pair_of in *; cbn [Vector.hd Vector.tl Vector.caseS] in *. lra.
+    unfold abscissa, ordinate, height, triple_of, pair_of in *;
+      cbn [Vector.hd Vector.tl Vector.caseS] in *. lra.
 Qed.
 
 (** A hull in the plane, and its picture. *)
-Lemma conv_shadow X q : (forall x, In x X -> flat x) -> conv X q <-> flat q /\ conv (map shadow X) (shadow q).
+Lemma conv_shadow X q : (forall x, In x X -> flat x) -> conv X q <-> flat q /\
+  conv (map shadow X) (shadow q).
 Proof.
   intros F. split.
   - intros C. split; [|now apply (conv_map shadow shadow_between)].
     assert (A : affine (fun x => inner n x - o)).
     { exists n, (- o). intros x. unfold plane. ring. }
     assert (P1 : 0 <= inner n q - o).
-    { apply (affine_conv _ X q A); [|assumption]. intros x Ix. specialize (F x Ix). unfold flat in F. lra. }
+    { apply (affine_conv _ X q A); [|assumption]. intros x Ix. specialize (F x Ix).
+      unfold flat in F. lra. }
     assert (P2 : 0 <= - (inner n q - o)).
     { apply (affine_conv (fun x => - (inner n x - o)) X q (affine_opp _ A)); [|assumption].
       intros x Ix. specialize (F x Ix). unfold flat in F. lra. }
     unfold flat. lra.
-  - intros [Fq C]. apply (conv_map raised raised_between) in C. rewrite raised_shadow in C by assumption.
+  - intros [Fq C]. apply (conv_map raised raised_between) in C.
+    rewrite raised_shadow in C by assumption.
     rewrite map_map in C. replace (map (fun x => raised (shadow x)) X) with X in C; [assumption|].
     clear C. induction X as [|x X IH]; [reflexivity|]. cbn. rewrite <- IH.
     + f_equal. symmetry. apply raised_shadow, F. now left.
@@ -176,7 +186,8 @@ Proof.
   destruct IH as [Y IH]. split; [assumption|]. apply further with (shadow y); [assumption|exact I|].
   now apply clear_shadow.
 Qed.
-Lemma connected_raised x p : flat x -> connected everywhere W' (shadow x) p -> connected flat W x (raised p).
+Lemma connected_raised x p : flat x -> connected everywhere W' (shadow x) p ->
+  connected flat W x (raised p).
 Proof.
   intros X C. induction C as [|p q C IH F Cl].
   - rewrite raised_shadow by assumption. apply here.
@@ -200,7 +211,8 @@ Proof.
     (forall h', In h' holes' -> ~ connected everywhere W' (shadow q) h')).
   { split.
     - intros H h' Ih C. destruct (holes_all h' Ih) as (h & Ih3 & <-). apply (H h Ih3).
-      destruct (holes_flat h Ih3) as [Fh _]. rewrite <- (raised_shadow h Fh). now apply connected_raised.
+      destruct (holes_flat h Ih3) as [Fh _]. rewrite <- (raised_shadow h Fh).
+      now apply connected_raised.
     - intros H h Ih C. destruct (holes_flat h Ih) as [Fh Is]. apply (H _ Is).
       now apply connected_shadow in C. }
   rewrite H. tauto.

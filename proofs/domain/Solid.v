@@ -1,7 +1,8 @@
 (** * Triangulations of domains in which nothing dangles
 
-    The mesh of a certificate is one of these: only d-simplices are listed.  Whatever is listed besides, it is one of these too if the
-    d-simplices cover the domain ([solid_if_covered]): what else there is are their faces. *)
+    The mesh of a certificate is one of these: only d-simplices are listed.  Whatever is listed
+    besides, it is one of these too if the d-simplices cover the domain ([solid_if_covered]): what
+    else there is are their faces. *)
 From Coq Require Import Rbase Rfunctions Lra List Arith Lia.
 From Circumspect Require Import Definitions Domains Vectors Affine Frame Faces Independence.
 Import ListNotations.
@@ -29,10 +30,12 @@ Definition solid_steiner_cdt P T : Prop :=
 
 (** ** They are what the definitions say, of complexes of d-simplices *)
 
-Lemma pairs_weaker {A} (Q Q' : A -> A -> Prop) l : (forall a b, In a l -> In b l -> Q a b -> Q' a b) ->
+Lemma pairs_weaker {A} (Q Q' : A -> A -> Prop) l : (forall a b, In a l -> In b l -> Q a b ->
+  Q' a b) ->
   ForallOrdPairs Q l -> ForallOrdPairs Q' l.
 Proof.
-  induction l as [|a l IH]; intros H F; [constructor|]. inversion F as [|? ? F1 F2]; subst. constructor.
+  induction l as [|a l IH]; intros H F; [constructor|]. inversion F as [|? ? F1 F2]; subst.
+  constructor.
   - rewrite Forall_forall in *. intros b I. apply H; [now left|now right|auto].
   - apply IH; [|assumption]. intros x y X Y. apply H; now right.
 Qed.
@@ -56,13 +59,15 @@ Proof. intros So. split; [auto|]. intros H t I. apply H; [assumption|]. left. no
 Theorem solid_cdts P T : solid_cdt P T <-> cdt P T /\ solid T.
 Proof.
   unfold solid_cdt, cdt. rewrite solid_plc. split.
-  - intros ((H & So) & C). split; [|assumption]. split; [assumption|]. now apply (solid_has_to_be T).
+  - intros ((H & So) & C). split; [|assumption]. split; [assumption|].
+    now apply (solid_has_to_be T).
   - intros ((H & C) & So). split; [now split|]. now apply (solid_has_to_be T).
 Qed.
 Theorem solid_steiner_cdts P T : solid_steiner_cdt P T <-> steiner_cdt P T /\ solid T.
 Proof.
   unfold solid_steiner_cdt, steiner_cdt. rewrite solid_steiner. split.
-  - intros ((H & So) & C). split; [|assumption]. split; [assumption|]. now apply (solid_has_to_be T).
+  - intros ((H & So) & C). split; [|assumption]. split; [assumption|].
+    now apply (solid_has_to_be T).
   - intros ((H & C) & So). split; [now split|]. now apply (solid_has_to_be T).
 Qed.
 End Solid.

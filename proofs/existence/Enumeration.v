@@ -4,22 +4,25 @@ From Circumspect Require Import ImpossibleChecker Numbering Faces Lists.
 From Circumspect Require Import Definitions.
 Import ListNotations.
 
-Lemma sublists_length n l k : In k (sublists n l) -> length k = n.
+Lemma sublists_length n l k : In k (sublists_of n l) -> length k = n.
 Proof.
-  revert n k. induction l as [|x l IH]; intros [|n] k; cbn [sublists].
+  revert n k. induction l as [|x l IH]; intros [|n] k; cbn [sublists_of].
   - intros [<-|[]]. reflexivity.
   - intros [].
   - intros [<-|[]]. reflexivity.
   - intros I. apply in_app_or in I. destruct I as [I|I]; [|now apply IH].
     apply in_map_iff in I. destruct I as (k' & <- & I). cbn. f_equal. now apply IH.
 Qed.
-Lemma filter_sublist (f : positive -> bool) l : In (filter f l) (sublists (length (filter f l)) l).
+Lemma filter_sublist (f : positive -> bool) l :
+  In (filter f l) (sublists_of (length (filter f l)) l).
 Proof.
   induction l as [|x l IH]; [now left|]. cbn [filter]. destruct (f x).
-  - cbn [length sublists]. apply in_or_app. left. now apply in_map.
-  - destruct (filter f l) as [|y k] eqn:E; [now left|]. cbn [length sublists] in *. apply in_or_app. now right.
+  - cbn [length sublists_of]. apply in_or_app. left. now apply in_map.
+  - destruct (filter f l) as [|y k] eqn:E; [now left|]. cbn [length sublists_of] in *.
+    apply in_or_app. now right.
 Qed.
-Lemma some_sublist ks l : NoDup ks -> NoDup l -> incl ks l -> exists k, In k (sublists (length ks) l) /\
+Lemma some_sublist ks l : NoDup ks -> NoDup l -> incl ks l ->
+  exists k, In k (sublists_of (length ks) l) /\
   forall x, In x k <-> In x ks.
 Proof.
   intros Nk Nl I. set (f x := member x ks). exists (filter f l).
@@ -34,18 +37,22 @@ Qed.
 Lemma numbered_from_numbers {A} (l : list A) : numbered_from 1 l = numbers l.
 Proof.
   unfold numbers. change 1%positive with (Pos.of_succ_nat 0). generalize 0%nat.
-  induction l as [|a l IH]; intros s; [reflexivity|]. cbn [numbered_from length seq map]. f_equal. apply (IH (S s)).
+  induction l as [|a l IH]; intros s; [reflexivity|]. cbn [numbered_from length seq map]. f_equal.
+  apply (IH (S s)).
 Qed.
-Lemma all_beside_numbered candidates_of K X i l points : forall k, all_beside candidates_of K X i l k points = true ->
+Lemma all_beside_numbered candidates_of K X i l points : forall k,
+  all_beside candidates_of K X i l k points = true ->
   forall j e, nth_error points j = Some e ->
     listed_beside candidates_of K X i l (Pos.of_succ_nat j + k - 1)%positive (bare e) = true.
 Proof.
   induction points as [|x points IH]; intros k H j e E; [destruct j; discriminate|].
   cbn [all_beside] in H. apply andb_prop in H. destruct H as [H R]. destruct j as [|j]; cbn in E.
   - injection E as <-. replace (Pos.of_succ_nat 0 + k - 1)%positive with k by lia. exact H.
-  - replace (Pos.of_succ_nat (S j) + k - 1)%positive with (Pos.of_succ_nat j + Pos.succ k - 1)%positive by lia. eauto.
+  - replace (Pos.of_succ_nat (S j) + k - 1)%positive
+      with (Pos.of_succ_nat j + Pos.succ k - 1)%positive by lia. eauto.
 Qed.
-Lemma clauses_in D S sg pl po ca co fo l : forall k c, clauses_of D S sg pl po ca co fo k l = inl c ->
+Lemma clauses_in D S sg pl po ca co fo l : forall k c,
+  clauses_of D S sg pl po ca co fo k l = inl c ->
   forall x, In x c -> exists r, In r l /\ clause_of D S sg pl po ca co fo r = Some x.
 Proof.
   induction l as [|r l IH]; intros k c H x I; cbn [clauses_of] in H.

@@ -1,20 +1,21 @@
 (** * The checker of what shows that a domain has no triangulation, or no CDT
 
-    [check_impossible] is extracted; [ImpossibleSound.v] proves what its acceptance means.  The domain is read as that of
-    a certificate.  Candidates are all sets of four of its vertices; of each it is said why it is in no triangulation, or that it may
-    be.  Clauses about these, each with its reason, hold of every triangulation; together nothing satisfies them. *)
+    [check_impossible] is extracted; [ImpossibleSound.v] proves what its acceptance means.  The
+    domain is read as that of a certificate.  Candidates are all sets of four of its vertices; of
+    each it is said why it is in no triangulation, or that it may be.  Clauses about these, each
+    with its reason, hold of every triangulation; together nothing satisfies them. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export GivenDomain WholeRefutation SameDomain Rup.
 Import ListNotations.
 Open Scope Z_scope.
 
 (** All lists of [n] of the numbers, in their order. *)
-Fixpoint sublists (n : nat) (l : list positive) : list (list positive) :=
+Fixpoint sublists_of (n : nat) (l : list positive) : list (list positive) :=
   match l with
   | [] => match n with O => [[]] | S _ => [] end
   | x :: rest => match n with
                  | O => [[]]
-                 | S n' => map (cons x) (sublists n' rest) ++ sublists n rest
+                 | S n' => map (cons x) (sublists_of n' rest) ++ sublists_of n rest
                  end
   end.
 Fixpoint numbered_from {A} (k : positive) (l : list A) : list positive :=
@@ -69,7 +70,8 @@ Definition candidate_at (k : positive) : option (list site) :=
 
 (** ** Clauses *)
 
-Definition listed_beside (K : list positive) (X : list site) (i : nat) (l : list positive) (k : positive) (p : site) : bool :=
+Definition listed_beside (K : list positive) (X : list site) (i : nat) (l : list positive)
+  (k : positive) (p : site) : bool :=
   negb (beyond pr X p 1 i) ||
   existsb (fun n => match Table.find n candidates_of with
                     | Some L => same_members L (k :: remove i K)
@@ -129,8 +131,8 @@ End Impossible.
 
 (** ** Nothing dangles
 
-    [mesh-of-the-domain]: without it the tetrahedra of a triangulation need not cover the domain, for what dangles has none beside
-    it ([check_impossible_sound]). *)
+    [mesh-of-the-domain]: without it the tetrahedra of a triangulation need not cover the domain,
+    for what dangles has none beside it ([check_impossible_sound]). *)
 Definition check_mesh_of (D M : domain_certificate) : result :=
   check_domain Space (as_steiner M) ;;
   (require mesh_of_the_domain by same_domain D M at Nowhere; Accepted).
@@ -144,13 +146,15 @@ Definition check_impossible (x : impossibility) : result :=
   let segments_of := Table.of_list id (segments (domain_part D)) in
   let polygons_listed := map in_tables (polygons D) in
   let polygons_of := Table.of_list id polygons_listed in
-  let candidates := sublists 4 (numbered_from 1 (points (whole_mesh D))) in
+  let candidates := sublists_of 4 (numbered_from 1 (points (whole_mesh D))) in
   let candidates_of := Table.of_list id candidates in
   let fates_of := Table.of_list id (fates x) in
   check_about space_predicates D ;;
   check_mesh_of D (some_mesh x) ;;
-  each_pair fate_shown AtCandidate (check_fate D S segments_of polygons_of) 1 candidates (fates x) ;;
-  match clauses_of D S segments_of polygons_listed polygons_of candidates candidates_of fates_of 1 (reasons x) with
+  each_pair fate_shown AtCandidate (check_fate D S segments_of polygons_of) 1 candidates
+    (fates x) ;;
+  match clauses_of D S segments_of polygons_listed polygons_of candidates candidates_of fates_of 1
+    (reasons x) with
   | inr k => Rejected reason_shown (AtReason k)
   | inl l => require clauses_refuted by refuted_clauses l (steps x) at Nowhere; Accepted
   end.

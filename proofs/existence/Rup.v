@@ -1,8 +1,9 @@
 (** * Clauses, and proofs that nothing satisfies them
 
-    A proof is a list of clauses, each with the numbers of earlier ones: if all of its literals are false, each of
-    these in turn has at most one literal that is not, which then is true, until one has none (reverse unit propagation,
-    E. Goldberg and Y. Novikov 2003).  So each clause follows from those before it, and at the end the empty one. *)
+    A proof is a list of clauses, each with the numbers of earlier ones: if all of its literals are
+    false, each of these in turn has at most one literal that is not, which then is true, until one
+    has none (reverse unit propagation, E. Goldberg and Y. Novikov 2003).  So each clause follows
+    from those before it, and at the end the empty one. *)
 From Coq Require Import List Bool PArith FMapPositive.
 From Circumspect Require Import DomainRules.
 Import ListNotations.
@@ -12,7 +13,8 @@ Definition known := PositiveMap.t clause.
 
 Definition is_false (m : assignment) (l : literal) : bool :=
   match PositiveMap.find (snd l) m with Some b => negb (Bool.eqb b (fst l)) | None => false end.
-Definition left_over (m : assignment) (c : clause) : clause := filter (fun l => negb (is_false m l)) c.
+Definition left_over (m : assignment) (c : clause) : clause :=
+  filter (fun l => negb (is_false m l)) c.
 Fixpoint propagates (K : known) (m : assignment) (hints : list positive) : bool :=
   match hints with
   | [] => false
@@ -54,8 +56,10 @@ Section Satisfied.
 Variable truth : positive -> bool.
 Definition is_true (l : literal) : Prop := truth (snd l) = fst l.
 Definition satisfied (c : clause) : Prop := exists l, In l c /\ is_true l.
-Definition all_satisfied (K : known) : Prop := forall h c, PositiveMap.find h K = Some c -> satisfied c.
-Definition consistent (m : assignment) : Prop := forall x b, PositiveMap.find x m = Some b -> truth x = b.
+Definition all_satisfied (K : known) : Prop := forall h c, PositiveMap.find h K = Some c ->
+  satisfied c.
+Definition consistent (m : assignment) : Prop := forall x b, PositiveMap.find x m = Some b ->
+  truth x = b.
 
 Lemma consistent_add m x : consistent m -> consistent (PositiveMap.add x (truth x) m).
 Proof.
@@ -63,7 +67,8 @@ Proof.
   - rewrite PositiveMap.gss in H. congruence.
   - rewrite PositiveMap.gso in H by congruence. auto.
 Qed.
-Lemma propagates_sound K hints : forall m, all_satisfied K -> consistent m -> propagates K m hints = false.
+Lemma propagates_sound K hints : forall m, all_satisfied K -> consistent m ->
+  propagates K m hints = false.
 Proof.
   induction hints as [|h rest IH]; intros m A C; [reflexivity|]. cbn [propagates].
   destruct (PositiveMap.find h K) as [c|] eqn:E; [|reflexivity].
@@ -73,7 +78,8 @@ Proof.
     destruct (PositiveMap.find (snd l) m) as [b|] eqn:F; [|reflexivity].
     rewrite negb_involutive. apply eqb_true_iff. rewrite <- (C _ _ F). exact Tl. }
   destruct (left_over m c) as [|x [|y r]]; [destruct L| |reflexivity].
-  destruct L as [->|[]]. apply IH; [assumption|]. unfold is_true in Tl. rewrite <- Tl. now apply consistent_add.
+  destruct L as [->|[]]. apply IH; [assumption|]. unfold is_true in Tl. rewrite <- Tl.
+  now apply consistent_add.
 Qed.
 Lemma satisfied_dec c : satisfied c \/ forall l, In l c -> truth (snd l) = negb (fst l).
 Proof.
@@ -84,7 +90,8 @@ Proof.
     + left. exists l. split; [now left|exact E].
     + right. intros x [<-|I]; [|now apply N]. now destruct (truth (snd l)), (fst l).
 Qed.
-Lemma negated_consistent c : (forall l, In l c -> truth (snd l) = negb (fst l)) -> consistent (negated c).
+Lemma negated_consistent c : (forall l, In l c -> truth (snd l) = negb (fst l)) ->
+  consistent (negated c).
 Proof.
   induction c as [|l c IH]; intros N.
   - intros x b H. cbn in H. now rewrite PositiveMap.gempty in H.
@@ -105,7 +112,8 @@ Qed.
 Lemma listed_satisfied l : forall n K, all_satisfied K -> (forall c, In c l -> satisfied c) ->
   all_satisfied (fst (listed_from n l K)).
 Proof.
-  induction l as [|c l IH]; intros n K A S; [assumption|]. cbn [listed_from]. apply IH; [|intros; apply S; now right].
+  induction l as [|c l IH]; intros n K A S; [assumption|]. cbn [listed_from].
+  apply IH; [|intros; apply S; now right].
   intros h x H. destruct (Pos.eq_dec n h) as [<-|Ne].
   - rewrite PositiveMap.gss in H. injection H as <-. apply S. now left.
   - rewrite PositiveMap.gso in H by congruence. now apply (A h).

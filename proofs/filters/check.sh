@@ -14,6 +14,7 @@ esac
 here=$(cd "$(dirname "$0")" && pwd)
 scripts=${1:-$here}
 header=${2:-$here/../../oracle/judge/fast/predicates/filter.hpp}
+intervals=$here/../../kernel/boxes/interval.hpp
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 faults=0
@@ -59,7 +60,7 @@ refused() {
 sed -n 's/^inline constexpr double k[A-Za-z0-9]* = \(0x[^;]*\); *\/\/ \([a-z0-9_]*\.gappa\)$/\2 \1/p' \
   "$header" >"$work/bounds"
 listed=$(cut -d ' ' -f 1 "$work/bounds" | sort)
-found=$(cd "$scripts" && ls ./*.gappa | sed 's/^\.\///' | sort)
+found=$(cd "$scripts" && ls ./*.gappa | sed 's/^\.\///' | grep -v '^outward' | sort)
 [ -n "$listed" ] && [ "$listed" = "$found" ] ||
   fault "the scripts are not those that $header names"
 
@@ -91,5 +92,21 @@ while read -r file constant; do
   refused "$script" "underflow adds 2^-50" '0,/in \[-1b-125, 1b-125\]/s//in [-1b-50, 1b-50]/'
   refused "$script" "products keep 52 bits" 's/ \* \([a-z0-9]*\)) in \[-1b-53, 1b-53\]/ * \1) in [-1b-52, 1b-52]/'
 done <"$work/bounds"
+
+# Intervals: one operation, whose bounds are moved outward by a part 2^-51.
+script=$scripts/outward.gappa
+grep -q '^inline constexpr double kOutward = 0x1p-51;$' "$intervals" && grep -q 'w -/ 1b-51 in' "$script" ||
+  fault "outward.gappa: speaks of another part than $intervals"
+if proved "$script"; then
+  echo "filters: outward.gappa: the bounds of an interval hold the exact result: proved"
+else
+  fault "outward.gappa: not proved: $(head -n 1 "$work/log")"
+fi
+if [ "$mode" = --certificates ]; then
+  certified "$script" && echo "filters: outward.gappa: Coq takes the certificate" ||
+    fault "outward.gappa: Coq does not take the certificate"
+fi
+refused "$script" "the part is 2^-53" 's/1b-51/1b-53/'
+refused "$script" "results keep 51 bits" 's/0x1.fffffffffffffp-1/0x1.ffffffffffff8p-1/; s/0x1.00000000000008p0/0x1.0000000000008p0/'
 
 [ "$faults" -eq 0 ] || exit 1

@@ -32,7 +32,8 @@ Proof. induction l as [|a l IH]; intros H; cbn; [lra|].
 Lemma sum_pos l f k : (forall i, In i l -> 0 <= f i) -> In k l -> 0 < f k -> 0 < sum_over l f.
 Proof. induction l as [|a l IH]; intros H Hk P; [destruct Hk|]. destruct Hk as [->|Hk]; cbn.
   - pose proof (sum_nonneg l f (fun i Hi => H i (or_intror Hi))). lra.
-  - pose proof (H a (or_introl eq_refl)). specialize (IH (fun i Hi => H i (or_intror Hi)) Hk P). lra.
+  - pose proof (H a (or_introl eq_refl)). specialize (IH (fun i Hi => H i (or_intror Hi)) Hk P).
+    lra.
 Qed.
 (** All terms but one vanish. *)
 Lemma sum_one l f k : NoDup l -> In k l -> (forall i, In i l -> i <> k -> f i = 0) ->

@@ -72,7 +72,8 @@ Qed.
 Theorem conv_vertices t q : conv (vertices t) q <-> inside_closed t q.
 Proof.
   split.
-  - intros C i Hi. apply (affine_conv (bary t i) (vertices t)); [now apply bary_affine| |assumption].
+  - intros C i Hi. apply (affine_conv (bary t i) (vertices t));
+      [now apply bary_affine| |assumption].
     intros p Hp. apply in_vertices in Hp. destruct Hp as (k & Hk & ->).
     rewrite bary_vertex by assumption. destruct (Nat.eq_dec i k); lra.
   - intros I. exists (map (fun i => (bary t i q, vertex t i)) (seq 0 (S d))).
@@ -89,7 +90,9 @@ Proof.
 Qed.
 
 Lemma sum_over_const {A} (l : list A) c : sum_over l (fun _ => c) = INR (length l) * c.
-Proof. induction l as [|a l IH]; cbn [sum_over length]; [simpl; ring|]. rewrite IH, S_INR. ring. Qed.
+Proof.
+  induction l as [|a l IH]; cbn [sum_over length]; [simpl; ring|]. rewrite IH, S_INR. ring.
+Qed.
 
 (** A point in the interior: all coordinates are the same. *)
 Definition barycentre t : point d :=
@@ -99,7 +102,8 @@ Proof.
   intros Hi. assert (P : 0 < INR (S d)) by (apply lt_0_INR; lia).
   assert (G : forall l, total (map (fun i => (/ INR (S d), vertex t i)) l) =
                    INR (length l) * / INR (S d)).
-  { induction l as [|k l IH]; [simpl; ring|]. cbn [map length]. rewrite total_cons, IH, (S_INR (length l)).
+  { induction l as [|k l IH]; [simpl; ring|]. cbn [map length].
+    rewrite total_cons, IH, (S_INR (length l)).
     ring. }
   unfold barycentre. rewrite affine_combination.
   - rewrite (sum_one _ _ (/ INR (S d), vertex t i)).
@@ -113,5 +117,7 @@ Proof.
   - rewrite G, seq_length. field. lra.
 Qed.
 Lemma barycentre_inside t : inside t (barycentre t).
-Proof. intros i Hi. rewrite bary_barycentre by assumption. apply Rinv_0_lt_compat, lt_0_INR. lia. Qed.
+Proof.
+  intros i Hi. rewrite bary_barycentre by assumption. apply Rinv_0_lt_compat, lt_0_INR. lia.
+Qed.
 End Frame.

@@ -16,8 +16,10 @@ Context {d : nat}.
     lie on different sides of it. *)
 Definition opposite (t : frame d) (i : nat) (u : frame d) (j : nat) : Prop :=
   (i <= d)%nat /\ (j <= d)%nat /\
-  (forall k, (k <= d)%nat -> k <> i -> exists l, (l <= d)%nat /\ l <> j /\ vertex t k = vertex u l) /\
-  (forall l, (l <= d)%nat -> l <> j -> exists k, (k <= d)%nat /\ k <> i /\ vertex u l = vertex t k) /\
+  (forall k, (k <= d)%nat -> k <> i -> exists l, (l <= d)%nat /\ l <> j /\
+    vertex t k = vertex u l) /\
+  (forall l, (l <= d)%nat -> l <> j -> exists k, (k <= d)%nat /\ k <> i /\
+    vertex u l = vertex t k) /\
   bary t i (vertex u j) < 0.
 
 (** [T] names the simplices, [tets] lists them, [geo t] is the frame of t, [adj t i u j] says that

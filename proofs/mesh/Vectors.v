@@ -91,7 +91,8 @@ Proof.
   unfold norm2, inner, origin. induction p as [|x n v IH]; cbn; intros H; [reflexivity|].
   pose proof (Rle_0_sqr x) as X. unfold Rsqr in X.
   pose proof (norm2_nonneg v) as N. unfold norm2, inner in N.
-  rewrite IH by lra. f_equal. assert (x * x = 0) by lra. apply Rmult_integral in H0. destruct H0; lra.
+  rewrite IH by lra. f_equal. assert (x * x = 0) by lra. apply Rmult_integral in H0.
+  destruct H0; lra.
 Qed.
 Lemma dist2_expand {d} (p q : point d) : dist2 p q = norm2 p - 2 * inner p q + norm2 q.
 Proof.

@@ -44,9 +44,8 @@ let simplex c expected rows =
   done;
   Words.add rows (if Text.read_dash c.source expected then -1 else place c expected)
 
-(* The certificate up to its sample point, and the labels of its points: none, where it may be that a point is nobody's. *)
-let body ?(some_are_nobodys = false) c claimed =
-  let numerator, denominator = scale c in
+(* The points, and their labels: none, where it may be that a point is nobody's. *)
+let points ?(some_are_nobodys = false) c =
   let expected = "the coordinates of a point, its simplex, its vertex there and a label" in
   let integer () = Text.read_integer c.source expected in
   let labels = ref [] in
@@ -58,6 +57,12 @@ let body ?(some_are_nobodys = false) c claimed =
       let is_nobodys = some_are_nobodys && Text.read_dash c.source expected in
       labels := (if is_nobodys then None else Some (new_label c (integer ()))) :: !labels;
       { position = { coordinates; weight }; home; home_vertex }) in
+  (points, List.rev !labels)
+
+(* The certificate up to its sample point, and the labels of its points. *)
+let body ?some_are_nobodys c claimed =
+  let numerator, denominator = scale c in
+  let points, labels = points ?some_are_nobodys c in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
   let simplex_count = ref 0 and rows = ref (Words.growing 0) in
   counted_lines c "simplices" expected (fun count ->
@@ -80,7 +85,7 @@ let body ?(some_are_nobodys = false) c claimed =
   no_more c expected rest;
   let frame = { claimed; numerator; denominator; points; simplices = []; hull;
                 sample_simplex = List.hd simplex; sample; sample_denominator = List.hd sample_denominator } in
-  ({ frame; simplex_count = !simplex_count; rows_of = Words.grown !rows }, List.rev !labels)
+  ({ frame; simplex_count = !simplex_count; rows_of = Words.grown !rows }, labels)
 
 (* The same with lists and records for rows, as the checker of domains reads it. *)
 let in_lists space packed =

@@ -3,12 +3,14 @@
    of these files.
    circumspect-verified FILE DOMAIN.poly: the same, and whether the domain is that of this file.
    circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
+   circumspect-verified build delaunay POINTS.node: prints the canonical Delaunay triangulation of the points.
    Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
 let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [--hole X,Y,Z] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
+       circumspect-verified build delaunay [--coordinates decimal] POINTS.node\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote, or a proof that a domain has no\n\
 triangulation or CDT, which `circumspect inspect DOMAIN --refutations PREFIX` writes; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
@@ -17,7 +19,9 @@ polygons and hole points. Decimals mean the nearest double, unless they are take
 --hole gives the domain a hole point that its file does not list, as `circumspect certify --hole` does. It may\n\
 be given several times.\n\
 --mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
-checks nothing."
+checks nothing.\n\
+build prints the canonical Delaunay triangulation of the points as an .ele file. It looks at all points from each\n\
+facet: a thousand points take minutes."
 
 (* What a channel has left. *)
 let read_all channel =
@@ -62,6 +66,8 @@ let condition = function
   | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
   | Face_held -> "face-held" | Segment_in_polygon -> "segment-in-polygon"
   | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
+  | Simplex_proper -> "simplex-proper" | Simplex_listed -> "simplex-listed"
+  | Simplices_parted -> "simplices-parted"
   | Vertices_listed -> "vertices-listed" | Mesh_of_the_domain -> "mesh-of-the-domain"
   | Fate_shown -> "fate-shown"
   | Reason_shown -> "reason-shown" | Clauses_refuted -> "clauses-refuted"
@@ -87,11 +93,13 @@ let domain_claims = List.map (fun claim -> (domain_claim_name claim, claim))
     [ PlcTriangulation; SteinerTriangulation; ConformingDelaunay; Cdt; SteinerCdt ]
 let kinds = [ "enclosed", Enclosed; "hull", Hull ]
 
+let complex = "complex"
+
 (* CLAIM and D of the first line. *)
 let context source claims claim dimension =
   let claimed = match List.assoc_opt claim claims with
     | Some claimed -> claimed
-    | None -> Text.fail source (String.concat " or " (List.map fst claims)) (Text.quote claim) in
+    | None -> Text.fail source (String.concat " or " (complex :: List.map fst claims)) (Text.quote claim) in
   let space, d = match dimension with
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
@@ -137,6 +145,26 @@ let certificate (c : Reading.context) space claimed standing =
          (counts c.d (List.length frame.points) packed.simplex_count)
          (Option.fold standing ~none:"" ~some:(fun word -> snd (List.assoc word standings))), 0) in
   { mesh; compare_domain = None; verdict }
+
+(* A mesh alone: its simplices may be of any dimension. *)
+let mesh_alone (c : Reading.context) space =
+  let certificate, labels = Complex_file.read c in
+  let width = Reading.of_natural certificate.complex_dimension + 1 in
+  let cells = Array.of_list certificate.complex_cells in
+  let vertices k = List.map Option.some cells.(k).cell_vertices in
+  let mesh = { Users_mesh.unit = (certificate.complex_numerator, certificate.complex_denominator); d = c.d;
+               weighted = false; labels = Array.of_list labels; ordered = false;
+               sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.complex_points));
+               simplices = { count = Array.length cells; vertices }; dangling = None } in
+  let one, several = match width with
+    | 1 -> ("point", "points") | 2 -> ("edge", "edges") | 3 -> ("triangle", "triangles")
+    | _ -> ("tetrahedron", "tetrahedra") in
+  let verdict () = match check_alone space certificate with
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted ->
+      (Printf.sprintf "verified: %s, %s, %s" complex (counted (List.length labels) "point" "points")
+         (counted (Array.length cells) one several), 0) in
+  { mesh = lazy mesh; compare_domain = None; verdict }
 
 (* Which kind a domain is, and how much it has of what. *)
 let described (c : domain_certificate) ~is_complex =
@@ -204,6 +232,18 @@ let refutation (c : Reading.context) space claimed rule =
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
+let alone_refutation (c : Reading.context) space rule =
+  let refutation, labels = Refutation_file.read_alone c rule in
+  let about = refutation.mesh_alone in
+  let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
+               labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
+               simplices = Users_mesh.listed about.rows; dangling = None } in
+  let verdict () =
+    let rule = rule_of_complex_name (complex_rule_of refutation) in
+    if refute_alone space refutation then (Printf.sprintf "verified: not %s, %s" complex rule, 0)
+    else ("rejected: the evidence does not show " ^ rule, 1) in
+  { mesh = lazy mesh; compare_domain = None; verdict }
+
 (* The triangles and edges that may be faces of no simplex. *)
 let own_rows part = List.rev (List.rev_map fst part.dangling)
 let how_many_dangle part = match List.length part.dangling with
@@ -243,6 +283,9 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
 let content source =
   let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
+  | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
+    let c, (), space = context source [ (complex, ()) ] claim dimension in
+    mesh_alone c space
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
     certificate c space claimed None
@@ -256,6 +299,9 @@ let content source =
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain c space claimed (List.assoc kind kinds) ~is_complex:true
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = complex ->
+    let c, (), space = context source [ (complex, ()) ] claim dimension in
+    alone_refutation c space rule
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when List.mem_assoc claim domain_claims ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain_refutation c space claimed rule
@@ -337,11 +383,26 @@ let hole words =
     prerr_endline ("circumspect-verified: expected --hole X,Y,Z or, in the plane, X,Y, found " ^ String.escaped words);
     exit 2
 
+(* Takes as long as it takes: the file is the user's own. *)
+let build_delaunay ~exactly name =
+  let line, code = match Construction.delaunay ~exactly (Text.of_string (read_file name)) with
+    | rows -> (rows, 0)
+    | exception Text.Malformed (line, message) ->
+      (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3)
+    | exception Sys_error message ->
+      (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name) (String.escaped message), 3) in
+  match print_endline line with
+  | () -> exit code
+  | exception Sys_error _ -> close_out_noerr stdout; exit 5
+
 let () =
   (* Little of what is read becomes garbage: collect seldom, and move nothing. *)
   Gc.set { (Gc.get ()) with Gc.space_overhead = 400; max_overhead = 1_000_000; minor_heap_size = 1 lsl 18 };
   let answer, name = match List.tl (Array.to_list Sys.argv) with
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
+    | [ "build"; "delaunay"; name ] -> build_delaunay ~exactly:false name
+    | [ "build"; "delaunay"; "--coordinates"; "decimal"; name ] -> build_delaunay ~exactly:true name
+    | "build" :: _ -> prerr_endline usage; exit 2
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print (Lazy.force content.mesh); exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
     | name :: files ->

@@ -132,6 +132,24 @@ let read c refuted rule =
   ending c;
   ({ mesh with because }, labels)
 
+(* The same of a mesh alone. *)
+let read_alone c rule =
+  let mesh, labels = mesh c Triangulation in
+  let expected, tokens = line c "because" "EVIDENCE" in
+  let in_both () = match evidence c Triangulation "complex.overlap" mesh.rows tokens with
+    | Overlap (t, u, q, w) -> (t, u, q, w)
+    | _ -> assert false in
+  let mesh_alone, against = match rule with
+    | "complex.hanging-vertex" -> let t, u, q, w = in_both () in (mesh, Hanging (t, u, q, w))
+    | "complex.faces-cross" -> let t, u, q, w = in_both () in (mesh, Crossing (t, u, q, w))
+    | "complex.points-equal" ->
+      (match take c number 2 expected tokens with
+       | [ p; q ], rest -> no_more c expected rest; (mesh, EqualPoints (p, q))
+       | _ -> assert false)
+    | _ -> ({ mesh with because = evidence c Triangulation rule mesh.rows tokens }, AsOfPoints) in
+  ending c;
+  ({ mesh_alone; against }, labels)
+
 (* The same of a claim about a domain. *)
 let read_domain c domain_refuted rule =
   let mesh, labels = mesh c Delaunay in

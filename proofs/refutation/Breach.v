@@ -103,7 +103,8 @@ Qed.
 Theorem facet_below_plane_refutes w : facet_below_plane (fun p => norm2 p - w p) L ->
   ~ claims_weighted_delaunay w S L.
 Proof.
-  intros (s & t & f & u & v & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N) (T & -> & (_ & _ & _ & V & _) & D).
+  intros (s & t & f & u & v & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N) (T & ->
+    & (_ & _ & _ & V & _) & D).
   apply listed_in in Hs, Ht. destruct (D s Hs) as (a & b & B & E).
   specialize (N a b B). specialize (E v (V t Ht v Hv)). cbn in *. lra.
 Qed.

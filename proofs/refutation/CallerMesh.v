@@ -1,7 +1,7 @@
 (** * The caller's points and simplices, as the checker finds them
 
-    Rows that name d+1 known points are simplices of the caller's list; those that are not degenerate
-    have frames.  Nothing is assumed of the caller's mesh. *)
+    Rows that name d+1 known points are simplices of the caller's list; those that are not
+    degenerate have frames.  Nothing is assumed of the caller's mesh. *)
 From Coq Require Import Rbase Rfunctions Lra Lia List Arith ZArith Bool.
 From Circumspect Require Import Refutation Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces LiftingMap Breach.

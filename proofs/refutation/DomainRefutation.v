@@ -9,9 +9,11 @@ Open Scope Z_scope.
 (** The evidence is about simplices alone, or about balls that have to be empty for the claim. *)
 Definition of_mesh (e : evidence) (c : domain_claim) : bool :=
   match e with
-  | WrongDimension _ | UnknownVertex _ _ | RepeatedVertex _ _ _ | Degenerate _ | DuplicateSimplex _ _
+  | WrongDimension _ | UnknownVertex _ _ | RepeatedVertex _ _ _ | Degenerate _ | DuplicateSimplex _
+      _
   | Overlap _ _ _ _ | CoveredTwice _ _ _ _ => true
-  | VertexInBall _ _ | FacetNotLocal _ _ _ _ => match c with ConformingDelaunay => true | _ => false end
+  | VertexInBall _ _ | FacetNotLocal _ _ _ _ => match c with ConformingDelaunay => true | _ =>
+      false end
   | _ => false
   end.
 Definition only_vertices (c : domain_claim) : bool :=
@@ -69,7 +71,8 @@ Definition holds_of_domain (e : domain_evidence) : bool :=
               entry_at rows_of t i (fun x => match named S x with Some p => on_segment a b p &&
                 row_at rows_of u (fun y => match face_of y with
                   | Some X => match nth_error X j, nth_error X k with
-                    | Some e, Some f => negb (same_place p e) && negb (same_place p f) && on_segment e f p
+                    | Some e, Some f => negb (same_place p e) && negb (same_place p f) &&
+                        on_segment e f p
                     | _, _ => false
                     end
                   | None => false
@@ -84,8 +87,9 @@ End Evidence.
 
 (** ** What may dangle
 
-    Its rows come after the simplices: as the caller has listed them, or made d-simplices by points on which the claim
-    does not depend.  A point that is in none of these is in none of their faces. *)
+    Its rows come after the simplices: as the caller has listed them, or made d-simplices by points
+    on which the claim does not depend.  A point that is in none of these is in none of their
+    faces. *)
 (** Lists of millions, without recursion that is as deep. *)
 Definition appended {A} (l l' : list A) : list A := rev_append (rev' l) l'.
 Fixpoint mapped_onto {A B} (f : A -> B) (l : list A) (made : list B) : list B :=
@@ -96,9 +100,11 @@ Section Dangling.
 Variables (m : refutation) (x : dangling_part).
 Definition with_rows (S : list site) (l : list row) : refutation :=
   Refutation (refuted m) (unit_numerator m) (unit_denominator m) S l (basis m) (because m).
-Definition as_listed : refutation := with_rows (sites m) (appended (rows m) (mapped fst (dangling x))).
+Definition as_listed : refutation :=
+  with_rows (sites m) (appended (rows m) (mapped fst (dangling x))).
 Definition padded : refutation :=
-  with_rows (appended (sites m) (pads x)) (appended (rows m) (mapped (fun ab => fst ab ++ snd ab) (dangling x))).
+  with_rows (appended (sites m) (pads x))
+    (appended (rows m) (mapped (fun ab => fst ab ++ snd ab) (dangling x))).
 Definition known_in (S : Table.t site) (n : option positive) : bool :=
   match named S n with Some _ => true | None => false end.
 Definition pads_known : bool :=
@@ -106,7 +112,8 @@ Definition pads_known : bool :=
   forallb (fun ab => forallb (known_in S) (snd ab)) (dangling x).
 
 (** The simplex T, made full, and how many of its vertices are its own. *)
-Definition own_at (pr : predicates) (S own : Table.t site) (entries : Table.t (row * row)) (t : positive)
+Definition own_at (pr : predicates) (S own : Table.t site) (entries : Table.t (row * row))
+  (t : positive)
     (f : list site -> nat -> bool) : bool :=
   match Table.find t entries with
   | Some (a, b) => forallb (known_in own) a &&
@@ -115,9 +122,11 @@ Definition own_at (pr : predicates) (S own : Table.t site) (entries : Table.t (r
   end.
 (** The point is in the hull of the first N vertices. *)
 Definition in_own (pr : predicates) (X : list site) (n : nat) (q : site) (w : Z) : bool :=
-  in_simplex pr X q w && forallb (fun v => existsb (same_place v) (firstn n X)) (carrier_of pr X q w).
+  in_simplex pr X q w && forallb (fun v => existsb (same_place v) (firstn n X))
+    (carrier_of pr X q w).
 Definition own_simplex_at (pr : predicates) (t : positive) (f : list site -> nat -> bool) : bool :=
-  own_at pr (Table.of_list (site_for Delaunay) (sites padded)) (Table.of_list (site_for Delaunay) (sites m))
+  own_at pr (Table.of_list (site_for Delaunay) (sites padded)) (Table.of_list (site_for Delaunay)
+    (sites m))
     (Table.of_list id (appended (mapped (fun r => (r, [])) (rows m)) (dangling x))) t f.
 (** No simplex lists all of these points. *)
 Definition in_no_row (S : Table.t site) (X : list site) : bool :=
@@ -129,9 +138,11 @@ End Dangling.
 
 (** ** Balls
 
-    With weights that are not negative but for the vertices of the simplex, points whose weights and weighted sum are zero, and
-    the weighted sum of their squares is negative: every circumball of the simplex has one of the others inside. *)
-Definition sum_of (f : site -> Z) (l : list (Z * site)) : Z := fold_right (fun zp s => fst zp * f (snd zp) + s) 0 l.
+    With weights that are not negative but for the vertices of the simplex, points whose weights and
+    weighted sum are zero, and the weighted sum of their squares is negative: every circumball of
+    the simplex has one of the others inside. *)
+Definition sum_of (f : site -> Z) (l : list (Z * site)) : Z :=
+  fold_right (fun zp s => fst zp * f (snd zp) + s) 0 l.
 Fixpoint weighted_points (S : Table.t site) (l : list (positive * Z)) : option (list (Z * site)) :=
   match l with
   | [] => Some []
@@ -145,7 +156,8 @@ Definition no_ball (pr : predicates) (own others : list (Z * site)) : bool :=
   forallb (fun zp => 0 <=? fst zp) others && (sum_of (fun _ => 1) l =? 0) &&
   forallb (fun j => sum_of (fun p => nth j (coordinates p) 0) l =? 0) (seq 0 (dimension pr)) &&
   (sum_of (fun p => inner_product (coordinates p) (coordinates p)) l <? 0).
-Definition ball_shown (pr : predicates) (m : refutation) (x : dangling_part) (u : positive) (own : list Z)
+Definition ball_shown (pr : predicates) (m : refutation) (x : dangling_part) (u : positive)
+  (own : list Z)
     (others : list (positive * Z)) : bool :=
   match weighted_points (Table.of_list (site_for Delaunay) (sites m)) others with
   | Some Y => own_simplex_at m x pr u (fun X n =>
@@ -162,7 +174,8 @@ Definition no_simplex_row (pr : predicates) (r : row) : bool :=
 Definition shows_domain (pr : predicates) (m : refutation) (r : domain_refutation) : bool :=
   (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
   forallb (shaped pr) (sites m) && forallb (shaped pr) (vertices_given r) &&
-  holds_of_domain pr (Table.of_list (site_for (refuted m)) (sites m)) (Table.of_list id (rows m)) (rows m) (vertices_given r)
+  holds_of_domain pr (Table.of_list (site_for (refuted m)) (sites m)) (Table.of_list id (rows m))
+    (rows m) (vertices_given r)
     (Table.of_list id (vertices_given r)) (Table.of_list id (segments_given r)) (domain_because r).
 Definition lists_in_mesh (m : refutation) (p : positive) : bool :=
   let S := Table.of_list (site_for Delaunay) (sites m) in
@@ -181,15 +194,19 @@ Definition refute_domain_in (pr : predicates) (r : domain_refutation) : bool :=
           forallb (shaped pr) (sites (padded m x)) && overlap_of_all m x pr t u q w
       | VertexInBall t p => refute_in pr m && (lists_in_mesh (as_listed m x) p ||
           given_in_mesh m (vertices_given r) p && forallb (shaped pr) (vertices_given r))
-      | WrongDimension t => refute_in pr m && row_at (Table.of_list id (rows m)) t (no_simplex_row pr)
+      | WrongDimension t => refute_in pr m &&
+          row_at (Table.of_list id (rows m)) t (no_simplex_row pr)
       | _ => refute_in pr m
       end
   | SteinerForbidden _ _ => only_vertices (domain_refuted r) && shows_domain pr (as_listed m x) r
   | SegmentMissing _ _ _ => pads_known m x && shows_domain pr (padded m x) r
-  | NoEmptyBall u own others => match domain_refuted r with ConformingDelaunay => true | _ => false end &&
-      (0 <? unit_numerator m) && (0 <? unit_denominator m) && forallb (shaped pr) (sites (padded m x)) &&
+  | NoEmptyBall u own others => match domain_refuted r with ConformingDelaunay => true | _ =>
+      false end &&
+      (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
+        forallb (shaped pr) (sites (padded m x)) &&
       forallb (shaped pr) (vertices_given r) && has_at_most (dimension pr + 2) others &&
-      forallb (fun kz => given_in_mesh m (vertices_given r) (fst kz) || lists_in_mesh (as_listed m x) (fst kz)) others &&
+      forallb (fun kz => given_in_mesh m (vertices_given r) (fst kz) ||
+        lists_in_mesh (as_listed m x) (fst kz)) others &&
       ball_shown pr m x u own others
   | _ => shows_domain pr (as_listed m x) r
   end.

@@ -29,8 +29,10 @@ Notation vertices_rows := (@vertices_rows d r P).
 Let caller_named := CallerMesh.caller_named M P l S L shaped_points find_point find_row.
 Let named_in := CallerMesh.named_in M P l S L shaped_points find_point find_row.
 Let vertices_shaped := CallerMesh.vertices_shaped M P l S L shaped_points find_point find_row.
-Let simplex_of_vertices := CallerMesh.simplex_of_vertices M P l S L shaped_points find_point find_row.
-Let proper_simplex_of_frame := CallerMesh.proper_simplex_of_frame M P l S L shaped_points find_point find_row.
+Let simplex_of_vertices :=
+  CallerMesh.simplex_of_vertices M P l S L shaped_points find_point find_row.
+Let proper_simplex_of_frame :=
+  CallerMesh.proper_simplex_of_frame M P l S L shaped_points find_point find_row.
 Let row_at_in := CallerMesh.row_at_in M P l S L shaped_points find_point find_row.
 Let entry_at_in := CallerMesh.entry_at_in M P l S L shaped_points find_point find_row.
 Let simplex_at_in := CallerMesh.simplex_at_in M P l S L shaped_points find_point find_row.
@@ -58,7 +60,9 @@ Proof.
   { clear. intros i j x y X Y Hx Hy H VX VY E.
     destruct (two_places l i j x y Hx Hy H) as (m1 & m2 & m3 & E').
     exists (map (map caller_entry) m1), (map (map caller_entry) m2), (map (map caller_entry) m3),
-      (places X), (places Y). split; [|split; [|split; [|assumption]]]; [|rewrite map_length; apply VX|rewrite map_length; apply VY].
+      (places X), (places Y).
+      split; [|split; [|split; [|assumption]]]; [|rewrite map_length; apply VX|rewrite map_length;
+        apply VY].
     unfold caller_rows.
     rewrite E', map_app. cbn [map]. rewrite map_app. cbn [map].
     now rewrite (vertices_rows x X VX), (vertices_rows y Y VY). }
@@ -157,7 +161,8 @@ Proof.
   destruct (all_beyond_each p 1 y l facets B Hy) as (Y & i & EY & _).
   apply proper_simplex_of_frame in EY. destruct EY as (V & _). subst x.
   rewrite (vertices_rows y Y V) in *. apply (all_beyond_not_conv p facets Hp B (places Y) Hx).
-  apply conv_point. apply in_map_iff in I. destruct I as (v & E & Hv). injection E as ->. assumption.
+  apply conv_point. apply in_map_iff in I. destruct I as (v & E & Hv). injection E as ->.
+  assumption.
 Qed.
 
 (** The facets of the boundary. *)
@@ -337,7 +342,8 @@ Lemma not_local_breach X Y a b i j : framed X a -> framed Y b -> incl X P -> inc
   listed caller_rows (places X) -> listed caller_rows (places Y) ->
   not_local pr X i Y j = true -> facet_below_plane h caller_rows.
 Proof.
-  intros FX FY IX IY LX LY N. destruct (not_local_found X Y a b i j FX FY IX IY LX LY N) as (u & v & H).
+  intros FX FY IX IY LX LY N.
+  destruct (not_local_found X Y a b i j FX FY IX IY LX LY N) as (u & v & H).
   exists (places X), (places Y), (places (remove i X)), u, v. exact H.
 Qed.
 

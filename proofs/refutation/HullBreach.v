@@ -111,7 +111,8 @@ Proof.
     apply (ridge_sides tets geo S D A Dif V Sup o cone Inner Cones); auto.
     - intros [-> ->]. apply N. destruct Ft, Fu. split; eapply incl_tran; eassumption.
     - now apply (Same (o :: r)). }
-  destruct (ridge_of_two tets geo S D A Dif V Sup o cone Inner Cones t1 i1 k1 t3 i3 k3 t2 i2 k2 H1 H3)
+  destruct (ridge_of_two tets geo S D A Dif V Sup o cone Inner Cones t1 i1 k1 t3 i3 k3 t2 i2 k2 H1
+    H3)
     as (-> & -> & _).
   - now apply (Sides t1 i1 k1 t2 i2 k2 f1 f2).
   - apply (Sides t3 i3 k3 t2 i2 k2 f3 f2); auto. intros [X Y]. apply N23. now split.

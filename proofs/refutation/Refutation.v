@@ -142,7 +142,8 @@ Definition submerged (X : list site) (v : site) : bool :=
 Definition lists (p : site) (r : row) : bool :=
   existsb (fun n => match named n with Some q => same_place p q | None => false end) r.
 
-(** [f] is a facet of [X]; every row that lists all its points is a simplex with the vertices [X]. *)
+(** [f] is a facet of [X]; every row that lists all its points is a simplex with the vertices
+    [X]. *)
 Definition no_other (X f : list site) (r : row) : bool :=
   negb (forallb (fun p => lists p r) f) ||
   match simplex_of r with Some Y => same_places X Y | None => false end.

@@ -116,7 +116,8 @@ Example convex : map (fun T => plane_mesh Delaunay square T (HullNotConvex 1 1 4
   [halves; [[1; 2; 3]; [5; 3; 4]]; [[1; 2; 3]; [1; 3]]; [[1; 2; 3]; [2; 3; 5]]]%positive
   = [false; false; false; true].
 Proof. reflexivity. Qed.
-(** Point 1 is in four edges of the boundary; in a square only in two, which cannot be counted twice. *)
+(** Point 1 is in four edges of the boundary; in a square only in two, which cannot be counted
+    twice. *)
 Example not_closed : map (fun e => plane_mesh Delaunay junction hanging e)
   [HullNotClosed 1 1 1 2 2 1; HullNotClosed 1 1 1 2 1 1; HullNotClosed 1 0 1 2 2 1]
   = [true; false; false].

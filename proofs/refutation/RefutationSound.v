@@ -6,7 +6,8 @@
 From Coq Require Import Rbase Rfunctions Lra Lia List Arith ZArith Bool.
 From Circumspect Require Import Refutation Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces LiftingMap Breach.
-From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound Broken.
+From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound
+  Broken.
 Import ListNotations.
 Open Scope R_scope.
 

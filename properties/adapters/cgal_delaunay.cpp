@@ -17,8 +17,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// ---- In the plane ----
-
 using PlaneVertex = CGAL::Triangulation_vertex_base_with_info_2<std::int64_t, Kernel>;
 using PlaneDelaunay =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<PlaneVertex>>;
@@ -86,8 +84,6 @@ SimplexArray cgal_constrained_2(const PointArray& points, const Segments& segmen
   }
   return rows;
 }
-
-// ---- In space ----
 
 namespace {
 

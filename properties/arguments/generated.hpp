@@ -52,7 +52,6 @@ auto generated(const Draw& draw) {
   }));
 }
 
-// ---- Numbers ----
 // Random numbers for properties. All shrink towards 0.
 
 // Uniform in [0, count), whatever RapidCheck's size. Requires: count > 0.

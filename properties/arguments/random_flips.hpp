@@ -9,6 +9,7 @@
 
 #include "inputs/cases.hpp"
 #include "kernel/complex/point_set.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "reference/delaunay/flip.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "inputs/cases.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "properties/faulty/fault.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

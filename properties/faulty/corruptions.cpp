@@ -11,6 +11,7 @@
 #include "properties/faulty/plain_predicates.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 
 namespace circumspect::faulty {

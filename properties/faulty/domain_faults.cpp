@@ -17,11 +17,9 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 
 namespace circumspect::faulty {
-
 namespace {
 
 using Input = PiecewiseLinearInput;
@@ -281,7 +279,6 @@ std::vector<Fault> domain_faults() {
   };
 }
 
-// ---- Right meshes of domains ----
 namespace {
 
 ExactMesh mesh_of(const PointSet& points, const constrained::PlcTriangulation& triangulation) {

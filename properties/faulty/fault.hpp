@@ -68,7 +68,6 @@ inline Fault domain_fault(std::string name, std::string about, Claim claim, Doma
           std::move(mesh), std::move(dimensions)};
 }
 
-// ---- Right meshes of domains ----
 // Right meshes of domains, to be spoilt.
 
 // A constrained Delaunay triangulation, with its dangling faces; nothing if there is none.

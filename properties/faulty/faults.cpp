@@ -31,8 +31,6 @@ const std::vector<Fault>& faults() {
   return all;
 }
 
-// ---- Right programs ----
-
 namespace {
 
 Fault of_points(std::string name, std::string about, Claim claim, Triangulator triangulate) {

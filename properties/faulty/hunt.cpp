@@ -144,8 +144,6 @@ std::optional<Catch> hunt(const Fault& fault, const HuntOptions& options) {
   return std::nullopt;
 }
 
-// ---- Report ----
-
 namespace {
 
 // With the bars of |p|² escaped, which would part the cells of a table.

@@ -10,7 +10,6 @@
 
 namespace circumspect::faulty {
 
-// ---- Hunt ----
 // How many inputs it takes until a fault shows, and how small it can be made.
 
 struct Catch {
@@ -31,7 +30,6 @@ struct HuntOptions {
 // The first of the random inputs on which the fault is found; nothing if it never is.
 std::optional<Catch> hunt(const Fault& fault, const HuntOptions& options = {});
 
-// ---- Report ----
 // The table of faults: what each is, and how it was found.
 
 struct Found {

@@ -7,10 +7,10 @@
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
 #include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 
 namespace circumspect::faulty {
-
 namespace {
 
 Fault inserting_with(std::string name, std::string about, const Mistakes& mistakes,
@@ -194,7 +194,6 @@ std::vector<Fault> insertion_faults() {
   };
 }
 
-// ---- Flip faults ----
 // Lawson's algorithm, from a lexicographic triangulation, given up too early. Book: Section 4.4.
 
 namespace {

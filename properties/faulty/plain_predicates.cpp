@@ -80,8 +80,6 @@ std::vector<Vertex> every_index(const PointArray& points) {
   return all;
 }
 
-// ---- Plain predicates ----
-
 namespace {
 
 template <typename Number>

@@ -10,7 +10,6 @@
 
 namespace circumspect::faulty {
 
-// ---- Point arrays ----
 // From the doubles that a program takes to the exact points that judge it, and right answers to
 // begin with.
 
@@ -33,7 +32,6 @@ std::vector<Vertex> every_index(const PointArray& points);
 // The least and the largest coordinate on an axis. Requires: points.size() > 0.
 std::pair<double, double> extent(const PointArray& points, std::size_t axis);
 
-// ---- Plain predicates ----
 // Orientation and in-ball tests as people write them, over the number type of one's choice and with
 // the mistake of one's choice.
 

@@ -92,7 +92,6 @@ std::vector<Fault> predicate_faults() {
   };
 }
 
-// ---- Weight faults ----
 // Weighted Delaunay triangulations with the weights misread. Book: Section 5.2.
 
 namespace {

@@ -110,8 +110,6 @@ int in_ball_of(const ArrayMesh& mesh, std::span<const std::int64_t> row, std::in
                  first_indices<Vertex>(row.size()), static_cast<Vertex>(row.size()));
 }
 
-// ---- Catalogue ----
-
 std::vector<Mutation> catalogue() {
   std::vector<Mutation> all;
   for (const auto& part : {index_mutations(), facet_mutations(), cover_mutations(),
@@ -120,8 +118,6 @@ std::vector<Mutation> catalogue() {
   }
   return all;
 }
-
-// ---- Index mutations ----
 
 namespace {
 

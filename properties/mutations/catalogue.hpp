@@ -60,7 +60,6 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-// ---- Catalogue ----
 // The catalogue of mutations: each way to break a Delaunay mesh of any size, points, simplices,
 // links and weights, with what must be said of it.
 

@@ -19,13 +19,15 @@ from . import _core
 from ._core import InputError, NoTriangulation, Undecided
 from .campaigns import Campaign, Finding, campaign, minimize
 from .domains import Domain, default_claim, domain_of, in_plane_of
-from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, seconds_of
+from .hulls import claim_of, facets_of
+from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of
+from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
 
 __version__: str = _core.version
 __all__ = [
     "Ball", "Campaign", "CheckFailed", "Comparison", "Constrained", "Domain", "Family", "Finding", "InputError",
-    "NoTriangulation", "Undecided", "Verdict", "Violation", "assert_delaunay", "campaign", "certify", "check",
+    "NoTriangulation", "Undecided", "Verdict", "Violation", "assert_delaunay", "campaign", "certify", "check", "check_voronoi",
     "compare", "constrained_delaunay", "delaunay", "families", "generate", "generate_domain", "in_ball", "inspect",
     "minimize", "orient",
 ]
@@ -33,8 +35,9 @@ __all__ = [
 
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
-          by: str = "lemma", oriented: bool = False, duplicates: str = "reject", allow_empty: bool = False,
-          limit: Optional[float] = None, copy: bool = True, name: str = "mesh") -> Verdict:
+          by: str = "lemma", oriented: bool = False, demands: Any = (), duplicates: str = "reject", allow_empty: bool = False,
+          require: Any = (), except_sharp: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
+          name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
     points: (n, d) floats, integers, or objects (Fraction, int, Decimal); or, without `simplices`, a mesh of
@@ -42,7 +45,9 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     simplices: (m, d+1) integers from 0, in any order; (m, k+1) where the points span a flat of dimension k. An
         index that names no point is the mesh's fault, and the verdict says so.
     claim: "triangulation", "delaunay" (the default), "weighted-delaunay", "complex" (do the cells fit together,
-        whatever they fill, be they full cells, a surface in space or edges?); with a domain "plc-triangulation",
+        whatever they fill, be they full cells, a surface in space or edges?), "convex-hull" (are these the facets of
+        the convex hull? in the plane also a list of vertices in their cyclic order), "surface-delaunay" (is a surface
+        of triangles intrinsically Delaunay?); with a domain "plc-triangulation",
         "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has the
         points of the domain, else "steiner-cdt").
     neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
@@ -51,10 +56,17 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     domain: a Domain, a dictionary of its parts, or a surface of triangles.
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
+    demands: names of what else is demanded, as the command's options: "manifold", "connected", "closed",
+        "oriented=positive", "oriented=negative", "allow-hanging-vertex", "allow-unused" of "complex";
+        "all-boundary-points", "only-extreme" of "convex-hull".
     duplicates: "reject", since a mesher that forgets to share vertices makes equal points: InputError. "merge":
         equal points count as one, the first (if weights count, the heaviest), and a note of the verdict says so.
     allow_empty: judge a mesh without points and simplices. Otherwise it is an InputError: usually a program made
         nothing.
+    require: what is demanded of the shape of every simplex, a text such as "min-angle:20.7deg" or "radius-edge <=
+        sqrt(2)", or a list of them; as `check --require` of the command.
+    except_sharp: an angle such as "60deg"; simplices that touch both sides of a sharper one of the domain (without
+        one, of the boundary of the mesh) are set aside.
     limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
     copy: False judges arrays of doubles and of 32 or 64 bit integers in C order in place. They must then not change
         before the call returns, or the verdict means nothing or the process crashes. Read-only arrays are never
@@ -68,6 +80,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     >>> check([[0, 0], [1, 0], [0, float("nan")]], [[0, 1, 2]])
     Traceback (most recent call last):
     ValueError: expected finite points, found nan at (2, 1)
+    >>> print(check([[0, 0], [4, 0], [0, 4]], [[0, 1, 2]], require=["min-angle:45deg", "max-angle:90deg"]))
+    holds: delaunay mesh 3 points 1 triangle unique canonical min-angle:45deg max-angle:90deg
     >>> check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2.0]])
     Traceback (most recent call last):
     TypeError: expected integers as simplices, found an array of float64
@@ -75,6 +89,9 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     if by not in ("lemma", "definition"):
         raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
     merge = merges(duplicates)
+    claim = claim or claim_of(points)
+    if claim == "convex-hull":
+        points, simplices = facets_of(points, simplices)
     mesh = mesh_of(points, simplices, neighbors, weights)
     about = None
     if domain is not None:
@@ -85,10 +102,37 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     elif within is not None:
         raise ValueError("expected a domain beside within, found None")
     claim = claim or "delaunay"
+    words = demands if isinstance(demands, str) else " ".join(demands)
     distance = None if within is None else number_text(within, "a distance")
     return Verdict(claim, _core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
-                                      by == "definition", oriented, merge, allow_empty, distance, name,
-                                      seconds_of(limit), False))
+                                      by == "definition", oriented, merge, allow_empty, distance, words, name,
+                                      seconds_of(limit), False, requirements_of(require), except_sharp))
+
+
+def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), *, within: Any = 0,
+                  box: Any = None, max_errors: int = 20, by: str = "lemma", limit: Optional[float] = None,
+                  name: str = "cells") -> Verdict:
+    """Judges, exactly, whether cells are the Voronoi cells of sites, within a box and up to a distance.
+
+    sites: (n, d) doubles, d = 2 or 3; or a scipy.spatial.Voronoi, and nothing else.
+    vertices: (m, d) doubles.
+    cells: for each site the indices of the corners of its cell, in any order, with -1 if it is unbounded.
+    ridges: (r, 2) integers, pairs of sites whose cells have a common ridge; unbounded cells need them.
+    within: how far a cell may be from the exact one, an exact number. The verdict names the least distance.
+    box: the least and the largest coordinates; by default the box of the sites, enlarged on each side by half its
+        longest edge. What is outside is not judged.
+
+    Raises ValueError (InputError, if the input is at fault) and TypeError.
+
+    >>> square = [[0, 0], [4, 0], [4, 4], [0, 4]]
+    >>> print(check_voronoi(square, [[2, 2]], [[0, -1]] * 4, [[0, 1], [1, 2], [2, 3], [3, 0]]))
+    holds: voronoi cells 4 sites 4 cells within 0
+    """
+    if by not in ("lemma", "definition"):
+        raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
+    parts = diagram_parts(diagram_of(sites, vertices, cells, ridges), box)
+    return Verdict("voronoi", _core.check_voronoi(*parts, number_text(within, "a distance"), max_errors,
+                                                  by == "definition", name, seconds_of(limit)))
 
 
 def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:
@@ -189,14 +233,19 @@ def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Compa
     return Comparison(_core.compare(*meshes))
 
 
-def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weights: Any = None) -> str:
+def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weights: Any = None,
+            require: Any = ()) -> str:
     """What proves the verdict to circumspect-verified: the text of a certificate, or of a refutation.
 
-    Raises InputError if points are equal, or if there are neither points nor simplices.
+    Raises InputError if points are equal, or if there are neither points nor simplices; and ValueError if something is
+    required of the shape of simplices, of which nothing is proved.
 
     >>> certify([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).split()[0]
     'circumspect-certificate'
     """
+    if requirements_of(require):
+        raise ValueError(f"expected no require of a certificate, found {require!r}: nothing is proved of the shape of "
+                         "simplices; check judges it")
     return _core.certify(claim, guarded(mesh_of(points, simplices, None, weights)).parts())[1]
 
 

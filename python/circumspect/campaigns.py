@@ -127,7 +127,7 @@ class Subject:
         try:
             # An input always has points, so an empty mesh is wrong, and not a fault of the input.
             verdict = Verdict(self.claim, _core.check(self.claim, guarded(value).parts(), about, 1, 3, False, False, self.merge,
-                                                      True, self.within, "mesh", 0, True))
+                                                      True, self.within, "", "mesh", 0, True))
         except _core.Undecided:
             return Outcome("")
         except _core.InputError as error:
@@ -299,7 +299,7 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
         # An input that is not a piecewise linear complex is refused here, before the function is
         # called.
         _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, False,
-                    False, None, "", 0, True)
+                    False, None, "", "", 0, True)
     else:
         own = np.array(points, dtype=np.float64)
         if own.ndim != 2 or not np.isfinite(own).all():
@@ -307,7 +307,7 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
         given = Case(own, None if weights is None else np.array(weights, dtype=np.float64))
     subject = subject_of(function, claim, given.domain is not None, refuses, isolated, time_limit, within, duplicates)
     if given.domain is None and not subject.merge:
-        _core.check("triangulation", points_of(given.points).parts(), None, 1, 1, False, False, False, True, None, "", 0,
+        _core.check("triangulation", points_of(given.points).parts(), None, 1, 1, False, False, False, True, None, "", "", 0,
                     True)  # equal points are refused here
     try:
         rule = subject.outcome(given).rule

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import fractions
 import numbers
-from typing import Any, NamedTuple, Optional
+from typing import Any, List, NamedTuple, Optional
 
 LARGEST_EXACT_INTEGER = 1 << 53  # of doubles without gaps
 
@@ -288,6 +288,15 @@ def merges(duplicates: str) -> bool:
     if duplicates not in ("reject", "merge"):
         raise ValueError(f"expected duplicates='reject' or duplicates='merge', found {duplicates!r}")
     return duplicates == "merge"
+
+
+def requirements_of(require: Any) -> List[str]:
+    """One requirement, or several, as texts."""
+    texts = [require] if isinstance(require, str) else list(require)
+    for text in texts:
+        if not isinstance(text, str):
+            raise TypeError(f"expected texts such as 'min-angle:20.7deg' as require, found {text!r}")
+    return texts
 
 
 def seconds_of(limit: Optional[float]) -> float:

@@ -10,10 +10,9 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/dictionary.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::constrained {
-
 namespace {
 
 // A point in the relative interior of the section of the simplex with the plane of the polygon: the
@@ -77,10 +76,7 @@ bool PolygonInSpace::is_inside_near(Vertex v, const Point& towards) const {
   const auto at_v = triangles_at_.find(v);
   if (at_v == triangles_at_.end()) return false;  // v is the end of a segment that dangles
   const auto turn = [&](const Point& p, const Point& q) {
-    const std::size_t x = polygon_.axes[0], y = polygon_.axes[1];
-    const Point& o = points_[v];
-    const Rational value = (p[x] - o[x]) * (q[y] - o[y]) - (p[y] - o[y]) * (q[x] - o[x]);
-    return sign(value);
+    return sign(cross_product(p - points_[v], q - points_[v], polygon_.axes[0], polygon_.axes[1]));
   };
   return std::any_of(at_v->second.begin(), at_v->second.end(), [&](const Simplex& triangle) {
     const Simplex others = without(triangle, {v});
@@ -135,10 +131,6 @@ std::set<Simplex> facets_included_in(const StarIndex& tetrahedra, const PolygonI
   }
   return included;
 }
-
-// ---- Cavity ----
-
-// ---- Filling a cavity ----
 
 namespace {
 
@@ -205,8 +197,6 @@ tl::expected<std::vector<Simplex>, NoChange> gift_wrap_cavity(const PointSet& po
   return simplices;
 }
 
-// ---- Inserting a polygon ----
-
 std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, EvolvingCdt& cdt,
                                                  const Polygon& polygon) {
   for (const Simplex& segment : polygon.segments) {
@@ -233,8 +223,6 @@ std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, Evolvin
   cdt.walls.merge(facets_included_in(cdt.tetrahedra, in_space));
   return std::nullopt;
 }
-
-// ---- Deleting a polygon ----
 
 namespace {
 

@@ -8,14 +8,13 @@
 
 #include <tl/expected.hpp>
 
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::constrained {
 
-// ---- Crossed tetrahedra ----
 // Which part of a triangulation a polygon passes through.
 // Book: Section 5.8, steps 1 and 2 of FlipInsertPolygon.
 
@@ -64,7 +63,6 @@ std::set<Simplex> crossed_tetrahedra(const StarIndex& tetrahedra, const PolygonI
 // The facets of the triangulation that are part of the polygon. Requires: as above.
 std::set<Simplex> facets_included_in(const StarIndex& tetrahedra, const PolygonInSpace& polygon);
 
-// ---- Cavity ----
 // Cavities of a CDT: filling one by gift-wrapping, and inserting and deleting polygons in this way.
 // Book: Section 5.6 ("retriangulating the cavity evacuated when a vertex is deleted from a … CDT,
 // or when a polygon is inserted or deleted"), Section 5.8 ("the obvious algorithm").

@@ -16,9 +16,7 @@ namespace {
 
 Rational turn(const std::vector<std::size_t>& axes, const Point& a, const Point& b,
               const Point& c) {
-  const std::size_t x = axes[0];
-  const std::size_t y = axes[1];
-  return (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x]);
+  return cross_product(b - a, c - a, axes[0], axes[1]);
 }
 
 bool is_in_triangle(const std::vector<std::size_t>& axes, const std::vector<Point>& corners,
@@ -49,7 +47,7 @@ std::vector<Point> unit_steps(const std::vector<std::size_t>& axes,
   const Point v = corners[2] - corners[0];
   const std::size_t x = axes[0];
   const std::size_t y = axes[1];
-  const Rational determinant = u[x] * v[y] - u[y] * v[x];
+  const Rational determinant = cross_product(u, v, x, y);
   assert(sign(determinant) != 0);
   return {(v[y] / determinant) * u - (u[y] / determinant) * v,
           (u[x] / determinant) * v - (v[x] / determinant) * u};
@@ -102,8 +100,6 @@ bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& 
   return sign(turn(axes, a, b, c)) * sign(turn(axes, a, b, d)) <= 0 &&
          sign(turn(axes, c, d, a)) * sign(turn(axes, c, d, b)) <= 0;
 }
-
-// ---- Conforming Delaunay ----
 
 namespace {
 

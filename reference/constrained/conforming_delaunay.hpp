@@ -13,7 +13,6 @@
 
 namespace circumspect::constrained {
 
-// ---- Subfacets ----
 // The triangles whose union a polygon must become. Book: Section 4.5.3 ("every polygon is a union
 // of Delaunay (preferably strongly Delaunay) triangles").
 
@@ -36,8 +35,6 @@ Point near_circumcentre(const PointSet& points, const Polygon& polygon, const Ba
 // Do two segments in the plane of the polygon have a common point?
 bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& b, const Point& c,
              const Point& d);
-
-// ---- Conforming Delaunay ----
 
 struct ConformingDelaunay {
   PiecewiseLinearComplex complex;  // the augmented complex: the original points come first

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/exact/progress.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "kernel/complex/point_set.hpp"
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/visibility.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -18,8 +18,6 @@
 #include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::constrained {
-
-// ---- What reaches into a simplex ----
 
 namespace {
 
@@ -107,8 +105,6 @@ bool meets_interior(const PointSet& points, std::span<const std::size_t> axes,
   });
 }
 
-// ---- Obstacles ----
-
 Obstacles::Obstacles(const PointSet& points, std::vector<std::size_t> axes,
                      std::vector<Simplex> obstacles)
     : points_(points),
@@ -123,8 +119,6 @@ std::optional<Simplex> Obstacles::inside(const Simplex& simplex) const {
   }
   return std::nullopt;
 }
-
-// ---- Finish ----
 
 InFront first_clear_apex(const PointSet& points, const std::vector<std::size_t>& axes,
                          const OrientedFacet& facet, const std::vector<Vertex>& candidates,
@@ -147,8 +141,6 @@ InFront first_clear_apex(const PointSet& points, const std::vector<std::size_t>&
   }
   return result;
 }
-
-// ---- Gift wrapping CDT ----
 
 namespace {
 

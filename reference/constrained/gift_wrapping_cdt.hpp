@@ -11,13 +11,12 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/progress.hpp"
-#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 
 namespace circumspect::constrained {
 
-// ---- Clear apex ----
 // The step of gift-wrapping a CDT that finds the simplex in front of a facet, and the obstacles
 // that must not reach into that simplex. Book: Section 5.6 (in the plane Section 3.11, Finish),
 // Section 4.5.2 (a simplex of a CDT respects the PLC).
@@ -67,7 +66,6 @@ InFront first_clear_apex(const PointSet& points, const std::vector<std::size_t>&
                          const OrientedFacet& facet, const std::vector<Vertex>& candidates,
                          const std::function<bool(const Simplex&)>& is_clear);
 
-// ---- Gift wrapping CDT ----
 // The constrained Delaunay triangulation of a PLC in space by gift-wrapping, or why there is none.
 // Book: Section 5.6.
 

@@ -1,128 +1,18 @@
-// CDTs by gift-wrapping: clear apices, cavities, and complexes in space. Book: Section 5.6.
+// CDTs of complexes in space whose answer is known, and of complexes that have none. Book: Section
+// 5.6.
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
 #include "kernel/predicates/orientation.hpp"
-#include "reference/constrained/cavity.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::constrained {
 namespace {
-
-// ---- What reaches into a simplex ----
-
-constexpr std::array<std::size_t, 3> kAxes = {0, 1, 2};
-constexpr std::array<std::size_t, 2> kPlane = {0, 1};
-
-TEST_CASE("triangles that reach into a tetrahedron, and triangles that touch it") {
-  const PointSet points({{0, 0, 0},
-                         {4, 0, 0},
-                         {0, 4, 0},
-                         {0, 0, 4},  // the tetrahedron
-                         {1, 1, 1},
-                         {9, 9, 9},
-                         {9, 0, 9},  // 4 inside
-                         {2, 2, 0},
-                         {0, 2, 2},
-                         {2, 0, 2},  // on edges
-                         {-1, 1, 1},
-                         {9, 1, 1},
-                         {9, 9, 0},
-                         {-1, -1, 0},
-                         {5, -1, 0},
-                         {-1, 5, 0},
-                         {8, 8, -2},
-                         {-8, -8, 18},
-                         {4, -4, 4}});
-  const auto meets = [&](const Simplex& facet) {
-    return meets_interior(points, kAxes, {0, 1, 2, 3}, facet);
-  };
-  CHECK(meets({4, 5, 6}));
-  CHECK(meets({0, 4, 6}));
-  CHECK(meets({7, 8, 9}) == false);  // in the facet 1 2 3
-  CHECK(meets({0, 7, 8}));           // through the inside, corners on the boundary
-  CHECK(meets({10, 11, 12}));        // an edge passes, all corners outside
-  CHECK(!meets({13, 14, 15}));       // covers a facet
-  CHECK(!meets({0, 1, 2}));          // is one
-  CHECK(!meets({1, 2, 5}));          // shares an edge, leads away
-  CHECK(meets({1, 2, 4}));           // shares an edge, leads inside
-  CHECK(!meets({16, 17, 18}));       // apart, but not by a plane through a facet of either
-  CHECK(meets({0, 4}));              // a segment
-  CHECK(!meets({7, 8}));
-  CHECK(meets({4}));  // a point
-}
-
-TEST_CASE("the same in the plane") {
-  const PointSet points({{0, 0}, {4, 0}, {0, 4}, {1, 1}, {-1, 1}, {5, 1}, {2, 2}, {5, -1}});
-  const auto meets = [&](const Simplex& facet) {
-    return meets_interior(points, kPlane, {0, 1, 2}, facet);
-  };
-  CHECK(meets({3, 5}));
-  CHECK(meets({4, 5}));
-  CHECK(meets({0, 6}));
-  CHECK(!meets({1, 6}));
-  CHECK(!meets({1, 7}));
-  CHECK(!meets({5, 7}));
-}
-
-// ---- Filling cavities ----
-
-const std::vector<std::size_t> kSpace = {0, 1, 2};
-
-TEST_CASE("deleted tetrahedra of a Delaunay triangulation come back") {
-  const PointSet points({{0, 0, 0}, {7, 0, 1}, {1, 8, 0}, {0, 1, 9}, {2, 3, 2}, {5, 5, 4}});
-  const EvolvingCdt cdt = evolving_delaunay(points);
-  const std::vector<Simplex> all(cdt.tetrahedra.simplices().begin(),
-                                 cdt.tetrahedra.simplices().end());
-  CHECK(gift_wrap_cavity(points, cavity_of(points, kSpace, {}, all)).value() == all);
-}
-
-TEST_CASE("a wall in a square stays, on both sides") {
-  const PointSet points({{0, 0}, {4, 1}, {5, 5}, {1, 4}});
-  // Delaunay is the edge 1 3; the wall 0 2 forbids it.
-  const std::vector<Simplex> cut = {{0, 1, 2}, {0, 2, 3}}, delaunay = {{0, 1, 3}, {1, 2, 3}};
-  const std::vector<std::size_t> plane = {0, 1};
-  CHECK(gift_wrap_cavity(points, cavity_of(points, plane, {}, cut)).value() == delaunay);
-  CHECK(gift_wrap_cavity(points, cavity_of(points, plane, {{0, 2}}, cut)).value() == cut);
-}
-
-TEST_CASE("Schönhardt's polyhedron has a facet that cannot be finished (Figure 4.10)") {
-  // The triangle above is turned by 30 degrees, or nearly.
-  const PointSet points(
-      {{10, 0, 0}, {-5, 9, 0}, {-5, -9, 0}, {9, 5, 10}, {-9, 5, 10}, {0, -10, 10}});
-  Cavity cavity;
-  cavity.axes = kSpace;
-  cavity.candidates = {0, 1, 2, 3, 4, 5};
-  // The reflex diagonal of each quadrilateral between.
-  for (const Simplex& facet : {Simplex{0, 1, 2},
-                               {3, 4, 5},
-                               {0, 1, 4},
-                               {0, 3, 4},
-                               {1, 2, 5},
-                               {1, 4, 5},
-                               {0, 2, 3},
-                               {2, 3, 5}}) {
-    // The inside of each is where most other vertices are: the middle (0, 0, 5) is in front.
-    OrientedFacet inward = OrientedFacet::of(facet);
-    std::vector<Point> with_middle = points.points();
-    with_middle.push_back({0, 0, 5});
-    const PointSet more(with_middle);
-    if (orientation(more.configuration(), join(inward, 6)) < 0) inward = inward.reverse();
-    cavity.facets.add(inward);
-  }
-  const auto wrapped = gift_wrap_cavity(points, cavity);
-  REQUIRE(!wrapped.has_value());
-  CHECK(wrapped.error().why == WhyNoChange::kFacetUnfinished);
-}
-
-// ---- CDTs of complexes in space whose answer is known, and of complexes that have none ----
 
 using generators::both;
 using generators::box;
@@ -363,5 +253,4 @@ TEST_CASE("gift-wrapping a CDT: nothing enclosed; points of one plane") {
 }
 
 }  // namespace
-
 }  // namespace circumspect::constrained

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernel/complex/point_set.hpp"
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
@@ -18,8 +18,6 @@
 #include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::constrained {
-
-// ---- What is to be triangulated ----
 
 namespace {
 
@@ -73,8 +71,6 @@ Polygon planar_domain(const PointSet& points, const std::vector<std::size_t>& ax
   polygon.triangles = polygon_triangles(points, axes, vertices, segments, polygon.hole_seeds);
   return polygon;
 }
-
-// ---- Segment insertion (Section 3.10) ----
 
 namespace {
 
@@ -203,8 +199,6 @@ void insert_segment(const PointSet& points, const std::vector<std::size_t>& axes
   insertion.retriangulate(Chain(cavities.right.rbegin(), cavities.right.rend()), created);
   triangles.replace(cavities.crossed, created);
 }
-
-// ---- Gift-wrapping (Section 3.11), and both algorithms ----
 
 Simplex counterclockwise(const PointSet& points, const Polygon& polygon, Simplex triangle) {
   if (orientation(points.configuration(), polygon.axes, triangle) < 0) {

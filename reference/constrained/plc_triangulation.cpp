@@ -7,10 +7,9 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::constrained {
-
 namespace {
 
 bool is_absent(const EvolvingCdt& cdt, const Simplex& face) {
@@ -95,15 +94,8 @@ bool is_on_hull(const PointSet& points, const EvolvingCdt& cdt, const Simplex& f
 }
 
 std::set<Simplex> edges_of(const std::vector<Simplex>& simplices) {
-  std::set<Simplex> edges;
-  for (const Simplex& simplex : simplices) {
-    for (std::size_t i = 0; i < simplex.size(); ++i) {
-      for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-        edges.insert(sorted({simplex[i], simplex[j]}));
-      }
-    }
-  }
-  return edges;
+  const std::vector<Simplex> edges = faces_of(simplices, 2);
+  return {edges.begin(), edges.end()};
 }
 
 std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices) {
@@ -112,16 +104,11 @@ std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices) {
   return vertices;
 }
 
-// ---- PLC triangulation ----
-
 namespace {
 
 // Twelve numbers give four points; the sign of their determinant.
 int orientation_of(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point p = a - d, q = b - d, r = c - d;
-  const Rational value = p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) +
-                         p[2] * (q[0] * r[1] - q[1] * r[0]);
-  return sign(value);
+  return sign(inner_product(a - d, cross_product(b - d, c - d)));
 }
 
 // The tetrahedra from which nothing of the domain can be reached.

@@ -8,13 +8,12 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/exact/progress.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 
-// ---- Evolving CDT ----
 // A constrained Delaunay triangulation that changes as polygons and vertices come and go.
 // Book: Sections 5.7 and 5.8.
 
@@ -102,7 +101,6 @@ std::set<Simplex> edges_of(const std::vector<Simplex>& simplices);
 // The vertices of some simplices.
 std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices);
 
-// ---- PLC triangulation ----
 // A triangulation of a piecewise linear complex (Book: Definitions 4.4, 4.5 and 4.7), and its
 // extraction from a CDT of the convex hull.
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 
 namespace circumspect::constrained {
@@ -25,22 +26,10 @@ long logarithm_base_four(const Rational& value) {
   return k;
 }
 
-Rational squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Rational t = inner_product(p - a, b - a) / squared_distance(a, b);
-  if (sign(t) <= 0) return squared_distance(p, a);
-  if (t >= 1) return squared_distance(p, b);
-  return squared_distance(p, a + t * (b - a));
-}
-
 BoxIndex boxes_of(const PiecewiseLinearComplex& complex) {
-  std::vector<Box> at_vertices;
-  for (const Point& point : complex.points.points()) at_vertices.push_back(box_around(point));
-  std::vector<Box> boxes;
-  for (const Simplex& segment : complex.segments) {
-    boxes.push_back(box_around(at_vertices[static_cast<std::size_t>(segment[0])],
-                               at_vertices[static_cast<std::size_t>(segment[1])]));
-  }
-  boxes.insert(boxes.end(), at_vertices.begin(), at_vertices.end());
+  const CellBoxes around(complex.points);
+  std::vector<Box> boxes = around.of(complex.segments);
+  boxes.insert(boxes.end(), around.of_vertices().begin(), around.of_vertices().end());
   return BoxIndex(boxes);
 }
 
@@ -155,8 +144,6 @@ Rational ProtectingShells::squared_distance_to_others(Vertex apex) const {
   }
   return least;
 }
-
-// ---- Split segments ----
 
 namespace {
 

@@ -13,7 +13,6 @@
 
 namespace circumspect::constrained {
 
-// ---- Protecting shells ----
 // Where to split a segment near a vertex at which segments meet in an acute angle.
 // Book: Section 4.5.3, Exercise 6 of Chapter 4.
 
@@ -65,7 +64,6 @@ class ProtectingShells {
   mutable std::map<Vertex, Apex> apexes_;              // computed on demand
 };
 
-// ---- Split segments ----
 // The segments of a complex, split at more and more vertices.
 // Book: Section 4.5.3 ("One can make it edge-protected by adding vertices on its segments").
 

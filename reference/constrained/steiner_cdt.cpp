@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "kernel/boxes/box_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -16,7 +16,8 @@ namespace {
 // The points of a round, which can be searched by position.
 class PointsNear {
  public:
-  explicit PointsNear(const PointSet& points) : points_(points), index_(boxes_of(points)) {}
+  explicit PointsNear(const PointSet& points)
+      : points_(points), index_(CellBoxes(points).of_vertices()) {}
 
   // The points in the closed diametral ball of the edge, without its ends.
   std::vector<Point> in_diametral_ball(const Simplex& edge) const {
@@ -39,12 +40,6 @@ class PointsNear {
   void add(const Point& point) { added_.push_back({box_around(point), point}); }
 
  private:
-  static std::vector<Box> boxes_of(const PointSet& points) {
-    std::vector<Box> boxes;
-    for (const Point& point : points.points()) boxes.push_back(box_around(point));
-    return boxes;
-  }
-
   // The sum of the coordinates' distances is at least the distance.
   static Box box_around_ball(const Point& a, const Point& b) {
     const Point middle = Rational(1, 2) * (a + b);
@@ -107,8 +102,6 @@ tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
   }
   return RecoveredSegments{segments.augmented(points), segments.added()};
 }
-
-// ---- Steiner CDT ----
 
 namespace {
 

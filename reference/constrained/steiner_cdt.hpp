@@ -6,14 +6,13 @@
 
 #include <tl/expected.hpp>
 
-#include "kernel/complex/triangulation.hpp"
+#include "kernel/complex/star_index.hpp"
 #include "kernel/exact/progress.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
 
 namespace circumspect::constrained {
 
-// ---- Segment recovery ----
 // Making a complex edge-protected by adding vertices on its segments.
 // Book: Section 4.5.3 and Exercise 6 of Chapter 4.
 
@@ -84,8 +83,6 @@ std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& p
                                                                const StarIndex& canonical_delaunay,
                                                                const SplitSegments& segments,
                                                                SubsegmentCondition condition);
-
-// ---- Steiner CDT ----
 
 enum class CdtAlgorithm { kGiftWrapping, kPolygonFlips, kPolygonCavities };
 

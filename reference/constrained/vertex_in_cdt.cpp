@@ -12,8 +12,6 @@
 
 namespace circumspect::constrained {
 
-// ---- Insertion ----
-
 namespace {
 
 class VertexInsertion {
@@ -160,8 +158,6 @@ class VertexInsertion {
 std::optional<NoChange> insert_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v) {
   return VertexInsertion(points, cdt, v).run();
 }
-
-// ---- Deletion ----
 
 namespace {
 

@@ -1,5 +1,5 @@
-// Gift-wrapping of points, of cells, and of the cavity that a deleted vertex leaves. Book:
-// Section 5.6.
+// The gift-wrapping algorithm, under the canonical perturbation. Book: Section 5.6 (d = 3),
+// Section 3.11 (d = 2); here in any dimension.
 #pragma once
 
 #include <functional>
@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "kernel/complex/point_set.hpp"
-#include "kernel/complex/polytope.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::delaunay {
-
-// ---- Gift wrapping ----
-// The gift-wrapping algorithm, under the canonical perturbation. Book: Section 5.6 (d = 3),
-// Section 3.11 (d = 2); here in any dimension.
 
 // Finish: the candidate in front of the facet whose simplex with the facet has no other candidate
 // in front in its (perturbed) open circumball; nothing if none is in front. `axes` are coordinates
@@ -60,37 +55,5 @@ Triangulation gift_wrapping(const PointSet& points, const FinishWatch& watch = {
 // a (k−1)-simplex, of the canonical triangulation.
 Triangulation gift_wrapping(const PointSet& points, const Simplex& seed,
                             const FinishWatch& watch = {});
-
-// ---- Gift wrapping cells ----
-// Gift-wrapping whole cells of cospherical points, without any perturbation.
-// Book: Section 5.6, Exercise 4 of Chapter 5 (Figures 3.14 and 4.4).
-
-// The Delaunay subdivision, cell by cell. To finish a facet, find a point in front whose ball with
-// the facet has no other in front inside, and then *all* points on that ball: together they are the
-// cell. The dictionary holds facets of cells, each known by all the points on it, so the two cells
-// at a facet agree about it whatever they are made of, and no cell is ever wrapped in part.
-//
-// Triangulating the cells afterwards stays consistent because it is decided face by face, in order
-// of increasing dimension (least_vertex_triangulation), never cell by cell.
-PolyhedralComplex gift_wrapping_cells(const PointSet& points);
-
-// The canonical triangulation from it.
-Triangulation gift_wrapping_by_cells(const PointSet& points);
-
-// ---- Vertex deletion ----
-// Deleting a vertex from a Delaunay triangulation. Book: Section 5.6 ("retriangulating the cavity
-// evacuated when a vertex is deleted … is gift-wrapping").
-
-// The canonical triangulation of a set without one of its points, from the canonical triangulation
-// of that set, some of `points`. Vertices keep their numbers. The star of v is evacuated and
-// gift-wrapped from the facets of its link inwards; the only candidates are the vertices of the
-// link and the submerged points that lie in the star, some of which may surface. If v is on the
-// hull, part of the star stays empty; if all other points lie on one hyperplane, the triangulation
-// drops a dimension.
-//
-// `submerged` names the points of the set that are not vertices, only possible with weights.
-// Requires: v is a vertex; the triangulation is the canonical one of its vertices and `submerged`.
-Triangulation delete_vertex(const PointSet& points, const Triangulation& triangulation, Vertex v,
-                            const std::vector<Vertex>& submerged = {});
 
 }  // namespace circumspect::delaunay

@@ -10,8 +10,6 @@
 
 namespace circumspect::delaunay {
 
-// ---- Space-filling curves ----
-
 namespace {
 
 // Replaces the coordinates of the vertices on one axis by how many different ones are smaller.
@@ -99,8 +97,6 @@ std::vector<Vertex> along_curve(const PointSet& points, std::vector<Vertex> vert
   for (const std::size_t i : order) sequence.push_back(vertices[i]);
   return sequence;
 }
-
-// ---- Orders ----
 
 namespace {
 

@@ -13,8 +13,6 @@
 
 namespace circumspect::delaunay {
 
-// ---- Space-filling curves ----
-
 namespace {
 
 // All cells of the grid {0, …, 2^bits − 1}^k.
@@ -101,8 +99,6 @@ TEST_CASE("space-filling curve: a permutation that does not depend on the order 
   }
 }
 
-// ---- Orders ----
-
 constexpr auto kOrders = {InsertionOrder::kAsGiven, InsertionOrder::kRandom,
                           InsertionOrder::kBrioHilbert, InsertionOrder::kBrioZOrder};
 
@@ -187,7 +183,6 @@ TEST_CASE("BRIO: rounds follow the curve forwards when odd, backwards when even"
 }
 
 }  // namespace
-// ---- Interruption ----
 
 TEST_CASE("points that are converted and sorted ask often whether anybody waits for them") {
   std::vector<Point> all;

@@ -36,8 +36,6 @@ Triangulation by_definition(const PointSet& points) {
   return Triangulation(k, std::move(simplices));
 }
 
-// ---- Least vertex ----
-
 Triangulation least_vertex_triangulation(const PointSet& points, const PolyhedralComplex& complex) {
   const Configuration& configuration = points.configuration();
   std::map<Face, std::vector<Simplex>> triangulated;
@@ -63,8 +61,6 @@ Triangulation least_vertex_triangulation(const PointSet& points, const Polyhedra
   }
   return Triangulation(complex.dimension(), std::move(all));
 }
-
-// ---- Lifted hull ----
 
 namespace {
 

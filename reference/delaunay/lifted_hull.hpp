@@ -4,12 +4,12 @@
 #include <functional>
 
 #include "kernel/complex/point_set.hpp"
+#include "kernel/complex/polyhedral_complex.hpp"
 #include "kernel/complex/polytope.hpp"
 #include "kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 
-// ---- By definition ----
 // The Delaunay triangulation from its definition. Book: Definition 4.1.
 
 // The canonical Delaunay triangulation (weighted: the canonical weighted one): all (k+1)-subsets
@@ -18,7 +18,6 @@ namespace circumspect::delaunay {
 // 4.4). Any number of points, any dimension; takes n^(k+2) predicates.
 Triangulation by_definition(const PointSet& points);
 
-// ---- Least vertex ----
 // The least-vertex triangulation of a polyhedral complex. Book: Section 4.2, Figure 4.4.
 
 // Triangulates the faces in order of increasing dimension, each by joining its lexicographically
@@ -28,7 +27,6 @@ Triangulation by_definition(const PointSet& points);
 // of its convex hull. The canonical perturbation, which pulls the first point down most, agrees.
 Triangulation least_vertex_triangulation(const PointSet& points, const PolyhedralComplex& complex);
 
-// ---- Lifted hull ----
 // The Delaunay subdivision as the lower convex hull of the lifted points, and the canonical
 // triangulation of it. Book: Section 4.2.
 

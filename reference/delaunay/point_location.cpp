@@ -49,8 +49,6 @@ bool is_in_unperturbed_conflict(const PointSet& points, const Simplex& simplex, 
   return in_ball(configuration, axes_of(configuration, facet), facet, q) > 0;
 }
 
-// ---- Point location ----
-
 std::optional<Simplex> linear_scan(const PointSet& points, const SimplexDictionary& dictionary,
                                    Vertex q, Statistics& statistics) {
   return dictionary.find([&](const Simplex& simplex) {

@@ -11,7 +11,6 @@
 
 namespace circumspect::delaunay {
 
-// ---- Statistics ----
 // Statistics of an incremental insertion. Book: Sections 5.2, 5.4 and 5.5.
 
 // The simplices of the start count as created. "The total running time of the algorithm is
@@ -32,7 +31,6 @@ struct Statistics {
   bool operator==(const Statistics&) const = default;
 };
 
-// ---- Conflict ----
 // Conflicts between simplices of a triangulation with ghosts and vertices yet to insert.
 // Book: Sections 5.2 (ghost tetrahedra) and 5.4 (conflicts).
 
@@ -46,7 +44,6 @@ bool is_in_unperturbed_conflict(const PointSet& points, const Simplex& simplex, 
 
 using ConflictTest = bool (*)(const PointSet& points, const Simplex& simplex, Vertex q);
 
-// ---- Point location ----
 // Point location: by looking at every simplex (Book: Section 5.2), by walking (Section 5.5). By the
 // conflict graph: conflict_graph.hpp.
 

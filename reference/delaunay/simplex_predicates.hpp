@@ -1,4 +1,4 @@
-// Is a point set generic? Is a simplex Delaunay, or strongly Delaunay? Book: Section 4.2.
+// Is a simplex of any dimension Delaunay? strongly Delaunay? Book: Section 4.2.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,6 @@
 #include "kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
-
-// ---- Genericity ----
-// Is a point set generic? Book: Definition 4.2, Theorem 4.4.
-
-// k+2 points on the boundary of a single ball, the first such in lexicographic order of their
-// indices; nothing iff the set is generic (Definition 4.2). Looks at all (k+2)-subsets.
-std::optional<Simplex> cospherical_points(const PointSet& points);
-
-// k+2 points on the boundary of a single *empty* ball; nothing iff the set has only one Delaunay
-// triangulation, which is weaker than being generic. Linear in the triangulation.
-// Requires: `triangulation` is a Delaunay triangulation of the points.
-std::optional<Simplex> cospherical_points_of_an_empty_ball(const PointSet& points,
-                                                           const Triangulation& triangulation);
-
-// ---- Simplex predicates ----
-// Is a simplex of any dimension Delaunay? strongly Delaunay? Book: Section 4.2.
 
 // "The simplex σ is Delaunay if there exists an open circumball of σ that contains no point in S.
 // σ is strongly Delaunay if there exists a closed circumball of σ that contains no point in S

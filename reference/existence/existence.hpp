@@ -1,6 +1,6 @@
-// Does a piecewise linear complex have any triangulation without Steiner points, or any
-// constrained Delaunay triangulation? A formula expresses the question, and CaDiCaL decides it.
-// Book: Section 4.5, Sections 5.6 and 5.9.
+// Does a piecewise linear complex have any triangulation without Steiner points, or any constrained
+// Delaunay triangulation? The former is NP-complete in general, the latter NP-hard where the
+// complex is not generic. Book: Section 4.5, Sections 5.6 and 5.9.
 #pragma once
 
 #include <string>
@@ -8,33 +8,10 @@
 #include <vector>
 
 #include "kernel/piecewise_linear/regions.hpp"
+#include "reference/existence/formula.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::existence {
-
-// ---- Solver ----
-// Deciding a formula by the solver CaDiCaL (A. Biere).
-
-struct Satisfied {
-  std::vector<bool> assignment;  // of variable v in place v − 1
-};
-struct Refuted {
-  Refutation refutation;
-};
-struct Undecided {};  // within the limit
-
-// Satisfied, refuted, or undecided after so many conflicts (0: no limit). The answer is the
-// solver's claim until `is_satisfied` or `replay` has confirmed it. Throws std::runtime_error if
-// there is no memory for the solver's proof, or if the proof that it has written cannot be read.
-std::variant<Satisfied, Refuted, Undecided> solve(const Formula& formula, int conflict_limit = 0);
-
-// The name and the version of the solver.
-std::string solver_version();
-
-// ---- Existence ----
-// Does a piecewise linear complex have any triangulation without Steiner points, or any constrained
-// Delaunay triangulation? The former is NP-complete in general, the latter NP-hard where the
-// complex is not generic. Book: Section 4.5, Sections 5.6 and 5.9.
 
 // The tetrahedra of a triangulation, ascending, in lexicographic order.
 struct Exists {

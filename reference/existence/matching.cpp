@@ -75,19 +75,7 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
   return tetrahedra;
 }
 
-// ---- Matching ----
-
 namespace {
-
-// A facet of a tetrahedron, and the side on which the tetrahedron is, as the sign of the
-// orientation of (facet, apex).
-struct SidedFacet {
-  Simplex facet;
-  int side;
-  auto operator<=>(const SidedFacet&) const = default;
-  SidedFacet other() const { return {facet, -side}; }
-  OrientedFacet oriented() const { return {facet, side < 0}; }
-};
 
 class Matching {
  public:
@@ -98,7 +86,8 @@ class Matching {
     for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
       for (std::size_t place = 0; place < 4; ++place) {
         const Simplex facet = facet_opposite(tetrahedra[i], place);
-        users_[{facet, side(facet, tetrahedra[i][place])}].push_back(static_cast<Literal>(i) + 1);
+        users_[{facet, side(facet, tetrahedra[i][place]) < 0}].push_back(static_cast<Literal>(i) +
+                                                                         1);
       }
     }
   }
@@ -128,9 +117,9 @@ class Matching {
     }
   }
 
-  bool is_on_hull(const SidedFacet& facet) const {
+  bool is_on_hull(const OrientedFacet& facet) const {
     for (Vertex v = 0; complex_.points.names(v); ++v) {
-      if (side(facet.facet, v) == -facet.side) return false;
+      if (side(facet.vertices, v) == -facet.front()) return false;
     }
     return true;
   }
@@ -149,10 +138,10 @@ class Matching {
   }
 
   // The side of one facet that faces the same way as a given side of another facet in its plane.
-  int same_side(const SidedFacet& facet, const Simplex& coplanar) const {
+  int same_side(const OrientedFacet& facet, const Simplex& coplanar) const {
     for (Vertex v = 0; complex_.points.names(v); ++v) {
-      if (const int s = side(facet.facet, v); s != 0) {
-        return s == facet.side ? side(coplanar, v) : -side(coplanar, v);
+      if (const int s = side(facet.vertices, v); s != 0) {
+        return s == facet.front() ? side(coplanar, v) : -side(coplanar, v);
       }
     }
     assert(false);
@@ -160,16 +149,16 @@ class Matching {
   }
 
   // Is some of the domain on the other side of a facet?
-  bool has_domain_beyond(const SidedFacet& facet) const {
+  bool has_domain_beyond(const OrientedFacet& facet) const {
     if (complex_.kind == DomainKind::kHull) return !is_on_hull(facet);
-    const std::optional<Simplex> wall = wall_of(facet.facet);
+    const std::optional<Simplex> wall = wall_of(facet.vertices);
     if (!wall) return true;
     const OrientedFacet beyond{*wall, same_side(facet, *wall) > 0};
     return regions_.where(regions_.in_front_of(beyond)) == Where::kInside;
   }
 
-  void match(const SidedFacet& facet, const std::vector<Literal>& users) {
-    const auto across = users_.find(facet.other());
+  void match(const OrientedFacet& facet, const std::vector<Literal>& users) {
+    const auto across = users_.find(facet.reverse());
     if (!has_domain_beyond(facet)) return;
     for (const Literal user : users) {
       Clause clause = {-user};
@@ -181,13 +170,13 @@ class Matching {
   }
 
   // Exactly one of the tetrahedra that reach a generic point of a facet from its side.
-  void cover(const SidedFacet& facet) {
+  void cover(const OrientedFacet& facet) {
     for (long weight = 1;; ++weight) {
       // Points along a curve in the facet; a line contains at most three of them.
       const Rational a = Rational(1, 3 + weight), b = Rational(1, 3 + weight * weight);
-      const Point point = a * complex_.points[facet.facet[0]] +
-                          b * complex_.points[facet.facet[1]] +
-                          (1 - a - b) * complex_.points[facet.facet[2]];
+      const Point point = a * complex_.points[facet.vertices[0]] +
+                          b * complex_.points[facet.vertices[1]] +
+                          (1 - a - b) * complex_.points[facet.vertices[2]];
       if (const auto clause = that_reach(facet, point)) {
         formula_.clauses.push_back(*clause);
         at_most_one(*clause);
@@ -198,13 +187,13 @@ class Matching {
 
   // The tetrahedra on one side of a facet whose own facets in its plane hold the point; nothing if
   // it lies on the edge of one.
-  std::optional<Clause> that_reach(const SidedFacet& facet, const Point& point) const {
+  std::optional<Clause> that_reach(const OrientedFacet& facet, const Point& point) const {
     Clause clause;
     for (const auto& [other, users] : users_) {
-      const bool is_coplanar = std::all_of(other.facet.begin(), other.facet.end(),
-                                           [&](Vertex v) { return side(facet.facet, v) == 0; });
-      if (!is_coplanar || same_side(facet, other.facet) != other.side) continue;
-      const std::vector<Point> corners = coordinates(complex_.points, other.facet);
+      const bool is_coplanar = std::all_of(other.vertices.begin(), other.vertices.end(),
+                                           [&](Vertex v) { return side(facet.vertices, v) == 0; });
+      if (!is_coplanar || same_side(facet, other.vertices) != other.front()) continue;
+      const std::vector<Point> corners = coordinates(complex_.points, other.vertices);
       if (intersection(corners, {point}).empty()) continue;
       for (std::size_t place = 0; place < 3; ++place) {
         std::vector<Point> edge = corners;
@@ -220,12 +209,12 @@ class Matching {
   void cover_regions() {
     std::set<std::size_t> covered;
     for (const Simplex& wall : walls_) {
-      for (const int s : {1, -1}) {
-        const SidedFacet facet{wall, s};
-        const std::size_t region = regions_.in_front_of(facet.oriented());
+      for (const bool reversed : {false, true}) {
+        const OrientedFacet facet{wall, reversed};
+        const std::size_t region = regions_.in_front_of(facet);
         if (regions_.where(region) != Where::kInside || covered.contains(region)) continue;
         // The part of a hull in the unbounded region may have several components, or be empty.
-        if (complex_.kind == DomainKind::kHull && is_on_hull(facet.other())) continue;
+        if (complex_.kind == DomainKind::kHull && is_on_hull(facet.reverse())) continue;
         if (complex_.kind == DomainKind::kEnclosed) covered.insert(region);
         cover(facet);
       }
@@ -246,7 +235,7 @@ class Matching {
   const PiecewiseLinearComplex& complex_;
   const Regions& regions_;
   std::vector<Simplex> walls_;
-  std::map<SidedFacet, std::vector<Literal>> users_;
+  std::map<OrientedFacet, std::vector<Literal>> users_;
   Formula formula_;
 };
 

@@ -6,11 +6,10 @@
 
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/visibility.hpp"
-#include "reference/existence/refutation.hpp"
+#include "reference/existence/formula.hpp"
 
 namespace circumspect::existence {
 
-// ---- Candidates ----
 // The tetrahedra that a triangulation of a complex can consist of.
 
 // Every tetrahedron with vertices of the complex that respects it, ascending, in lexicographic
@@ -22,8 +21,6 @@ std::vector<Simplex> respecting_tetrahedra(const PiecewiseLinearComplex& complex
 // The constrained Delaunay ones among these, without perturbation. Book: Definition 4.6.
 std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComplex& complex,
                                                      const Regions& regions);
-
-// ---- Matching ----
 
 // Variable i + 1 says that tetrahedron i is chosen. The formula is true iff the chosen ones are a
 // triangulation of the polyhedra of the complex (Definition 4.4). Its clauses:

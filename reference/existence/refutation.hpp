@@ -1,4 +1,6 @@
-// Formulas, proofs that a formula is unsatisfiable, and the files of both.
+// Refutations: proofs that a formula is unsatisfiable, and a checker of them that shares nothing
+// with the solver that found them. E. Goldberg and Y. Novikov, Verification of proofs of
+// unsatisfiability for CNF formulas, DATE 2003.
 #pragma once
 
 #include <optional>
@@ -8,29 +10,9 @@
 
 #include <tl/expected.hpp>
 
+#include "reference/existence/formula.hpp"
+
 namespace circumspect::existence {
-
-// ---- Formula ----
-// Propositional formulas in conjunctive normal form.
-
-// A variable v > 0 or its negation −v, as SAT solvers write them.
-using Literal = int;
-// True iff one of its literals is.
-using Clause = std::vector<Literal>;
-
-// True iff every clause is. Variables are 1 … variables.
-struct Formula {
-  int variables = 0;
-  std::vector<Clause> clauses;
-};
-
-// Is every clause true where exactly the variables v with assignment[v − 1] are?
-bool is_satisfied(const Formula& formula, const std::vector<bool>& assignment);
-
-// ---- Refutation ----
-// Refutations: proofs that a formula is unsatisfiable, and a checker of them that shares nothing
-// with the solver that found them. E. Goldberg and Y. Novikov, Verification of proofs of
-// unsatisfiability for CNF formulas, DATE 2003.
 
 // One line of a proof in the format DRAT: a clause that follows from those before it, or one that
 // is no longer needed.
@@ -81,16 +63,5 @@ struct HintedStep {
 // if it does not replay.
 std::optional<std::vector<HintedStep>> with_hints(const Formula& formula,
                                                   const Refutation& refutation);
-
-// ---- DIMACS ----
-// Formulas as files: DIMACS, the format of SAT solvers.
-
-// The formula, after comments of one line each.
-std::string to_dimacs(const Formula& formula, const std::vector<std::string>& comments = {});
-
-// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces,
-// each of literals and a 0, on lines as they like. The header's counts are not trusted: they must
-// agree with what follows, and no memory is reserved for them.
-tl::expected<Formula, MalformedProof> read_dimacs(std::string_view text);
 
 }  // namespace circumspect::existence

@@ -14,19 +14,6 @@
 
 namespace circumspect::optimality {
 
-std::vector<Simplex> faces(const Simplex& simplex) {
-  std::vector<Simplex> all;
-  for (std::size_t size = 1; size <= simplex.size(); ++size) {
-    Simplex places = first_subset(size);
-    do {
-      Simplex face;
-      for (const Vertex place : places) face.push_back(simplex[static_cast<std::size_t>(place)]);
-      all.push_back(face);
-    } while (next_subset(places, simplex.size()));
-  }
-  return all;
-}
-
 std::vector<Simplex> simplicial_complex(const Triangulation& triangulation) {
   const auto by_dimension = [](const Simplex& a, const Simplex& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
@@ -37,8 +24,6 @@ std::vector<Simplex> simplicial_complex(const Triangulation& triangulation) {
   }
   return {all.begin(), all.end()};
 }
-
-// ---- All triangulations ----
 
 namespace {
 
@@ -103,13 +88,6 @@ PointSet with_a_point_in_general_position(const PointSet& points,
   }
 }
 
-// One side of a facet: `side` is the orientation of the facet with a point there.
-struct FacetSide {
-  Simplex facet;
-  int side;
-  auto operator<=>(const FacetSide&) const = default;
-};
-
 // Puts one simplex after another against an uncovered side of a facet. Which facet is next depends
 // on the simplices so far alone, and in a given triangulation only one simplex covers it: so every
 // triangulation is met exactly once.
@@ -120,7 +98,7 @@ class ExhaustiveSearch {
         simplices_(eligible_simplices(points, use)),
         proper_(simplices_.size() * simplices_.size()) {
     for (std::size_t i = 0; i < simplices_.size(); ++i) {
-      for (const FacetSide& covered : sides(simplices_[i])) covering_[covered].push_back(i);
+      for (const OrientedFacet& covered : sides(simplices_[i])) covering_[covered].push_back(i);
     }
   }
 
@@ -134,11 +112,11 @@ class ExhaustiveSearch {
   }
 
  private:
-  std::vector<FacetSide> sides(const Simplex& simplex) const {
-    std::vector<FacetSide> all;
+  std::vector<OrientedFacet> sides(const Simplex& simplex) const {
+    std::vector<OrientedFacet> all;
     for (std::size_t place = 0; place < simplex.size(); ++place) {
       const Simplex facet = facet_opposite(simplex, place);
-      all.push_back({facet, side_of(facet, simplex[place])});
+      all.push_back({facet, side_of(facet, simplex[place]) < 0});
     }
     return all;
   }
@@ -149,10 +127,10 @@ class ExhaustiveSearch {
   }
 
   // Does the convex hull of the points extend beyond this side of a facet?
-  bool has_points_beyond(const FacetSide& one) {
+  bool has_points_beyond(const OrientedFacet& one) {
     const auto [entry, is_new] = has_points_beyond_.try_emplace(one, false);
     for (Vertex q = 0; is_new && points_.names(q) && !entry->second; ++q) {
-      entry->second = side_of(one.facet, q) == one.side;
+      entry->second = side_of(one.vertices, q) == one.front();
     }
     return entry->second;
   }
@@ -164,9 +142,9 @@ class ExhaustiveSearch {
   }
 
   // Adds a simplex to those chosen, continues, and removes it again.
-  void add(std::size_t simplex, std::set<FacetSide> uncovered) {
-    for (const FacetSide& covered : sides(simplices_[simplex])) {
-      const FacetSide other{covered.facet, -covered.side};
+  void add(std::size_t simplex, std::set<OrientedFacet> uncovered) {
+    for (const OrientedFacet& covered : sides(simplices_[simplex])) {
+      const OrientedFacet other = covered.reverse();
       if (uncovered.erase(covered) == 0 && has_points_beyond(other)) uncovered.insert(other);
     }
     chosen_.push_back(simplex);
@@ -196,8 +174,8 @@ class ExhaustiveSearch {
 
   const PointSet& points_;
   std::vector<Simplex> simplices_;
-  std::map<FacetSide, std::vector<std::size_t>> covering_;
-  std::map<FacetSide, bool> has_points_beyond_;
+  std::map<OrientedFacet, std::vector<std::size_t>> covering_;
+  std::map<OrientedFacet, bool> has_points_beyond_;
   std::vector<std::optional<bool>> proper_;
   std::vector<std::size_t> chosen_;
   std::vector<Triangulation> found_;
@@ -214,8 +192,6 @@ std::vector<Triangulation> all_triangulations(const PointSet& points, VertexUse 
   });
   return all;
 }
-
-// ---- Regularity ----
 
 namespace {
 

@@ -10,17 +10,11 @@
 
 namespace circumspect::optimality {
 
-// ---- Faces ----
-// The faces of a simplex, and the simplicial complex that a triangulation is.
-// Book: Section 4.1 ("its total number of simplices of all dimensions").
-
-// Every non-empty set of vertices of the simplex, in its order, the simplex itself last.
-std::vector<Simplex> faces(const Simplex& simplex);
-
-// The simplices of all dimensions, each once: ascending vertices, small dimensions first.
+// The simplicial complex that a triangulation is. Book: Section 4.1 ("its total number of simplices
+// of all dimensions"). The simplices of all dimensions, each once: ascending vertices, small
+// dimensions first.
 std::vector<Simplex> simplicial_complex(const Triangulation& triangulation);
 
-// ---- All triangulations ----
 // All triangulations of a small point set, by exhaustive search. Book: Section 4.1; "compared with
 // all other triangulations of the same points", Section 4.3.
 
@@ -34,7 +28,6 @@ enum class VertexUse { kAllPoints, kSomePoints };
 std::vector<Triangulation> all_triangulations(const PointSet& points,
                                               VertexUse use = VertexUse::kAllPoints);
 
-// ---- Regularity ----
 // Which triangulations are regular: the weighted Delaunay triangulations for some weights.
 // Book: Section 4.2 by way of Definition 2.5 (weighted Delaunay triangulations, which according to
 // Section 4.3 are the optimal ones for some function).

@@ -67,10 +67,6 @@ bool is_convex(const std::vector<Rational>& coefficients) {
                      [](const Rational& coefficient) { return sign(coefficient) >= 0; });
 }
 
-// ---- Criteria ----
-
-// ---- Interpolation error ----
-
 namespace {
 
 Rational height(const PointSet& points, Vertex v) {
@@ -167,8 +163,6 @@ Rational lifted_integral(const PointSet& points, const Triangulation& triangulat
   }
   return sum;
 }
-
-// ---- Min-containment balls ----
 
 // The nearest point lies in the relative interior of some face, and there it is the nearest point
 // of the face's whole affine hull.

@@ -9,7 +9,6 @@
 
 namespace circumspect::optimality {
 
-// ---- Barycentric coordinates ----
 // Barycentric coordinates in a simplex of any dimension.
 
 // The λ with Σ λ_i v_i = p and Σ λ_i = 1; nothing if p is outside the affine hull of the simplex or
@@ -29,8 +28,6 @@ Point combination(const PointSet& points, const Simplex& simplex,
 
 // Are all coefficients nonnegative, so that the combination is a point of the simplex?
 bool is_convex(const std::vector<Rational>& coefficients);
-
-// ---- Criteria ----
 
 // 𝒯⁺(p): the height over p of the triangulation lifted to |v|² − weight(v) at each vertex v;
 // nothing if p is not in any of its simplices.

@@ -11,8 +11,6 @@
 
 namespace circumspect::optimality {
 
-// ---- Circuits ----
-
 namespace {
 
 // The barycentric coordinates of the last point with respect to the others, if they exist and none
@@ -44,8 +42,6 @@ std::vector<Circuit> circuits(const PointSet& points) {
   }
   return all;
 }
-
-// ---- The flip graph ----
 
 namespace {
 

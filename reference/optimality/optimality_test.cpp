@@ -10,8 +10,6 @@
 namespace circumspect::optimality {
 namespace {
 
-// ---- Known numbers of triangulations, known flip graphs, known regularity ----
-
 PointSet grid(long columns, long rows) {
   std::vector<Point> points;
   for (long x = 0; x < columns; ++x) {
@@ -137,8 +135,6 @@ TEST_CASE("flip graph: the flips that create or delete a vertex are left out for
   CHECK(next.front() == delaunay::by_definition(points));
 }
 
-// ---- Interpolation errors and min-containment balls of simplices that can be checked by hand ----
-
 TEST_CASE("barycentric coordinates: inside, outside, off the affine hull, degenerate") {
   const PointSet points({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {4, 0, 0}});
   const auto inside = barycentric_coordinates(points, {0, 1, 2}, {Rational(1, 2), 1, 0});
@@ -150,8 +146,7 @@ TEST_CASE("barycentric coordinates: inside, outside, off the affine hull, degene
   CHECK_FALSE(barycentric_coordinates(points, {0, 1, 3}, {0, 0, 0}).has_value());
 }
 
-TEST_CASE("faces: of a triangle, and of two that share an edge") {
-  CHECK(faces({4, 7, 9}) == std::vector<Simplex>{{4}, {7}, {9}, {4, 7}, {4, 9}, {7, 9}, {4, 7, 9}});
+TEST_CASE("simplicial complex: of two triangles that share an edge") {
   const Triangulation two(2, {{0, 1, 2}, {1, 2, 3}});
   CHECK(simplicial_complex(two).size() == 4 + 5 + 2);
 }

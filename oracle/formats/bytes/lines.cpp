@@ -10,21 +10,31 @@ namespace circumspect::formats {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 
-void split(std::string_view line, std::vector<std::string_view>& tokens) {
-  std::size_t at = 0;
-  while (at < line.size()) {
-    if (line[at] == '#') return;
-    if (is_blank(line[at])) {
+void split(std::string_view line, char comment, std::vector<std::string_view>& tokens) {
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  while (at != end) {
+    if (*at == comment) return;
+    if (is_blank(*at)) {
       ++at;
       continue;
     }
-    std::size_t end = at + 1;
-    while (end < line.size() && !is_blank(line[end]) && line[end] != '#') ++end;
-    tokens.push_back(line.substr(at, end - at));
-    at = end;
+    const char* const begin = at;
+    while (at != end && !is_blank(*at) && *at != comment) ++at;
+    tokens.emplace_back(begin, static_cast<std::size_t>(at - begin));
   }
+}
+
+// The whole token, if it is a plain one.
+bool is_plain_integer(std::string_view token, Vertex& value) {
+  const char* const end = token.data() + token.size();
+  return read_plain_integer(token.data(), end, value) == end;
+}
+bool is_plain_decimal(std::string_view token, double& value) {
+  const char* const end = token.data() + token.size();
+  return read_plain_decimal(token.data(), end, value) == end;
 }
 
 }  // namespace
@@ -53,7 +63,8 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
   return read_number(token, reading);
 }
 
-Lines::Lines(const Source& source, char end) : source_(source), rest_(source.text), end_(end) {
+Lines::Lines(const Source& source, char end, char comment)
+    : source_(source), rest_(source.text), end_(end), comment_(comment) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     rest_.remove_prefix(kByteOrderMark.size());
@@ -65,7 +76,7 @@ bool Lines::next() {
   while (!rest_.empty()) {
     ++line_;
     const std::size_t length = std::min(rest_.find(end_), rest_.size());
-    split(rest_.substr(0, length), tokens_);
+    split(rest_.substr(0, length), comment_, tokens_);
     rest_.remove_prefix(std::min(length + 1, rest_.size()));
     if (!tokens_.empty()) return true;
   }
@@ -125,6 +136,48 @@ Result<std::vector<Rational>> Lines::numbers(std::size_t first, std::size_t coun
     values.push_back(std::move(*value));
   }
   return values;
+}
+
+std::optional<Vertex> Lines::plain_integer(std::size_t column) const {
+  Vertex value = 0;
+  return is_plain_integer(tokens_[column], value) ? std::optional(value) : std::nullopt;
+}
+
+Status Lines::integers(std::size_t first, std::size_t count, std::string_view what,
+                       Simplex& to) const {
+  to.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_plain_integer(tokens_[first + i], to[i])) continue;
+    const Result<Vertex> value = integer(first + i, what);
+    if (!value) return tl::unexpected(value.error());
+    to[i] = *value;
+  }
+  return {};
+}
+
+Status Lines::add_numbers(std::size_t first, std::size_t count, NumberReading reading,
+                          PointRows& to) const {
+  for (std::size_t column = first; column < first + count; ++column) {
+    double plain = 0;
+    if (reading == NumberReading::kDouble && is_plain_decimal(tokens_[column], plain)) {
+      to.add(plain);
+      continue;
+    }
+    Result<Rational> value = number(column, reading);
+    if (!value) return tl::unexpected(std::move(value.error()));
+    to.add(std::move(*value));
+  }
+  return {};
+}
+
+Status Lines::check_numbers(std::size_t first, std::size_t count, NumberReading reading) const {
+  for (std::size_t column = first; column < first + count; ++column) {
+    double plain = 0;
+    if (reading == NumberReading::kDouble && is_plain_decimal(tokens_[column], plain)) continue;
+    const Result<Rational> value = number(column, reading);
+    if (!value) return tl::unexpected(value.error());
+  }
+  return {};
 }
 
 // ---- Rows ----

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -14,15 +15,13 @@
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/configuration.hpp"
+#include "oracle/formats/bytes/plain_number.hpp"
+#include "oracle/formats/bytes/point_rows.hpp"
 #include "oracle/formats/bytes/source.hpp"
 
 namespace circumspect::formats {
 
 // ---- Lines ----
-
-// Numbers of more characters are refused, because exact arithmetic on them would take too long.
-// Every double has a shorter exact decimal.
-inline constexpr std::size_t kLongestNumber = 10000;
 
 // Is the token this word, in letters of any case? Requires: the word is in small letters.
 bool is_word(std::string_view token, std::string_view word);
@@ -45,10 +44,10 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
 // Walks over the lines that have tokens on them. Blanks separate tokens, '#' starts a comment, a
 // carriage return is a blank, the last line needs no end, a byte order mark is skipped. All other
 // bytes belong to tokens. `end`: the character that ends a line; if that is a carriage return, it
-// is not a blank. Requires: the source outlives this object and the tokens.
+// is not a blank. `comment`: what starts a comment instead of '#'. Requires: the source outlives this object and the tokens.
 class Lines {
  public:
-  explicit Lines(const Source& source, char end = '\n');
+  explicit Lines(const Source& source, char end = '\n', char comment = '#');
 
   // Goes to the next line with a token; false, with no tokens, if there is none.
   bool next();
@@ -77,10 +76,22 @@ class Lines {
   Result<std::vector<Rational>> numbers(std::size_t first, std::size_t count,
                                         NumberReading reading) const;
 
+  // Nothing unless the token is a plain integer (plain_number.hpp).
+  std::optional<Vertex> plain_integer(std::size_t column) const;
+
+  // The same without memory of their own: integers replace what is in a list, and coordinates are
+  // added to points.
+  Status integers(std::size_t first, std::size_t count, std::string_view what, Simplex& to) const;
+  Status add_numbers(std::size_t first, std::size_t count, NumberReading reading,
+                     PointRows& to) const;
+  // The columns are numbers.
+  Status check_numbers(std::size_t first, std::size_t count, NumberReading reading) const;
+
  private:
   const Source& source_;
   std::string_view rest_;
   char end_;
+  char comment_;
   std::size_t line_ = 0;
   std::vector<std::string_view> tokens_;
 };

@@ -1,5 +1,5 @@
-// A file of words in text and numbers that may be binary: Gmsh's .msh, VTK's legacy files, and the
-// arrays of VTK's XML files.
+// A file whose words are text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
+// arrays of its XML files. Words and numbers follow one another, wherever lines end.
 #pragma once
 
 #include <cstddef>
@@ -10,39 +10,13 @@
 
 #include "kernel/exact/number.hpp"
 #include "kernel/predicates/configuration.hpp"
+#include "oracle/formats/bytes/binary.hpp"
+#include "oracle/formats/bytes/indices.hpp"
+#include "oracle/formats/bytes/plain_number.hpp"
+#include "oracle/formats/bytes/point_rows.hpp"
 #include "oracle/formats/bytes/source.hpp"
 
 namespace circumspect::formats {
-
-// ---- Bytes ----
-// The bytes of a binary file, read from the front; nothing beyond the end is ever touched.
-
-enum class ByteOrder { kLittleEndian, kBigEndian };
-
-class Bytes {
- public:
-  explicit Bytes(std::string_view bytes, ByteOrder order) : rest_(bytes), order_(order) {}
-
-  std::size_t left() const { return rest_.size(); }
-  // False if there are not as many.
-  bool skip(std::size_t count);
-  // An unsigned integer of 1, 2, 4 or 8 bytes; none if there are not as many.
-  std::optional<std::uint64_t> unsigned_integer(std::size_t size);
-
- private:
-  std::string_view rest_;
-  ByteOrder order_;
-};
-
-// The same bits as a number in two's complement.
-std::int64_t as_signed(std::uint64_t bits, std::size_t size);
-
-// The exact value of an IEEE number of 4 or 8 bytes; none if it is not finite.
-std::optional<Rational> as_floating(std::uint64_t bits, std::size_t size);
-
-// ---- Mixed text ----
-// A file whose words are text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
-// arrays of its XML files. Words and numbers follow one another, wherever lines end.
 
 // How a binary number is stored; for text it says whether the number is an integer.
 struct NumberType {
@@ -52,6 +26,24 @@ struct NumberType {
 inline constexpr NumberType kInt32{NumberType::Kind::kSigned, 4};
 inline constexpr NumberType kUint64{NumberType::Kind::kUnsigned, 8};
 inline constexpr NumberType kFloat64{NumberType::Kind::kFloating, 8};
+
+// What is read, for messages: "a vertex of " "cell" 3 of 8. It is put into words only if an error
+// needs them. Requires: the texts outlive it.
+struct Item {
+  Item(std::string_view text) : what(text) {}
+  Item(const char* text) : what(text) {}
+  Item(const std::string& text) : what(text) {}
+  Item(std::string_view text, std::string_view one, std::size_t at = 0, std::size_t of = 0)
+      : what(text), noun(one), place(at), count(of) {}
+
+  // "a vertex of cell 4 of 8"; without a count "a vertex of cell".
+  std::string words() const;
+
+  std::string_view what;
+  std::string_view noun = {};
+  std::size_t place = 0;  // from 0
+  std::size_t count = 0;
+};
 
 class MixedText {
  public:
@@ -84,15 +76,40 @@ class MixedText {
   bool is_at_end();
   std::size_t bytes_left() const { return text_.size() - at_; }
 
-  // The next number; `what` names it in errors. A floating one must be finite; an integer, text or
+  // The next number; `item` names it in errors. A floating one must be finite; an integer, text or
   // binary, must fit 64 bits.
-  Result<Rational> number(NumberType type, std::string_view what);
-  Result<Vertex> integer(NumberType type, std::string_view what);
-  Result<std::size_t> count(NumberType type, std::string_view what);
+  Result<Rational> number(NumberType type, const Item& item);
+  Result<Vertex> integer(NumberType type, const Item& item);
+  Result<std::size_t> count(NumberType type, const Item& item);
   // Read as text, even if numbers are binary.
-  Result<std::size_t> count_in_text(std::string_view what);
+  Result<std::size_t> count_in_text(const Item& item);
   // Skips so many numbers without looking at them.
-  Status skip_numbers(NumberType type, std::size_t count, std::string_view what);
+  Status skip_numbers(NumberType type, std::size_t count, const Item& item);
+
+  // The same for many at once. The first point, or the first integer, is `item`; the place of those
+  // that follow goes up. Requires of points: they have a number of coordinates.
+  Status points(NumberType type, std::size_t count, Item item, PointRows& to);
+  Status integers(NumberType type, std::size_t count, const Item& item, Indices& to);
+
+  // The next integer in a loop; after the first error all are 0, and failure() is that error. The
+  // common case is in the header, because it is what reading takes.
+  Vertex take(NumberType type, const Item& item) {
+    if (!binary_) {
+      skip_blanks();
+      std::int64_t value = 0;
+      const char* const begin = text_.data() + at_;
+      const char* const end = text_.data() + text_.size();
+      const char* const stop = read_plain_integer(begin, end, value);
+      if (stop != nullptr && ends_word(stop, end)) {
+        took(static_cast<std::size_t>(stop - begin));
+        return value;
+      }
+    }
+    return take_slowly(type, item);
+  }
+  // Has one that was taken failed? Requires of failure(): yes.
+  bool has_failed() const { return failure_.has_value(); }
+  tl::unexpected<FormatError> failure() const { return tl::unexpected(*failure_); }
 
   const std::string& name() const { return name_; }
   // The line of what was read last; 0 after binary numbers.
@@ -104,7 +121,22 @@ class MixedText {
   tl::unexpected<FormatError> fail_at_word(std::string expected) const;
 
  private:
-  void skip_blanks();
+  static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  static bool ends_word(const char* at, const char* end) { return at == end || is_blank(*at); }
+  void skip_blanks() {
+    while (at_ < text_.size() && is_blank(text_[at_])) line_ += text_[at_++] == '\n' ? 1 : 0;
+  }
+  // A word of so many bytes has been read.
+  void took(std::size_t size) {
+    word_ = text_.substr(at_, size);
+    word_line_ = line_;
+    read_at_ = at_;
+    at_ += size;
+  }
+  Vertex take_slowly(NumberType type, const Item& item);
+  bool read_plain(double& number);
+  Status text_points(NumberType type, std::size_t count, Item item, PointRows& to);
+  Status binary_points(NumberType type, std::size_t count, Item item, PointRows& to);
   // The bytes of a binary number; none, with all bytes read, if there are not as many.
   std::optional<std::uint64_t> bits(std::size_t size);
 
@@ -121,6 +153,7 @@ class MixedText {
   std::size_t section_at_ = 0;  // where that word is
   std::size_t first_line_;
   bool was_binary_ = false;  // lines can no longer be counted
+  std::optional<FormatError> failure_;
 };
 
 }  // namespace circumspect::formats

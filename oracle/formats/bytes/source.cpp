@@ -2,7 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <new>
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -72,12 +72,13 @@ Status check_kind(const std::string& name, const struct stat& status) {
   return tl::unexpected(FormatError{name, 0, "a file", kind});
 }
 
-Result<std::string> read_all(const std::string& name, int descriptor) {
+// `expected`: how many bytes there should be, if that is known; there may be more or fewer.
+Result<std::string> read_all(const std::string& name, int descriptor, std::size_t expected) {
   constexpr std::size_t kStep = std::size_t{1} << 12;
-  std::string text;
+  std::string text(expected + 1, '\0');  // the last one finds that the file has ended
   std::size_t size = 0;
   while (true) {
-    if (text.size() < size + kStep) text.resize(2 * size + kStep);
+    if (text.size() == size) text.resize(2 * size + kStep);
     const ssize_t count = ::read(descriptor, text.data() + size, text.size() - size);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return system_error(name, errno);
@@ -102,10 +103,12 @@ Result<Source> load(const std::string& path) {
   const Descriptor file(is_stdin ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) return system_error(name, errno);
   try {
-    Result<std::string> text = read_all(name, file.number());
+    const bool is_known = S_ISREG(status.st_mode) && status.st_size > 0;
+    Result<std::string> text =
+        read_all(name, file.number(), is_known ? static_cast<std::size_t>(status.st_size) : 0);
     if (!text) return tl::unexpected(text.error());
     return Source{name, std::move(*text)};
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception&) {  // std::bad_alloc, or std::length_error
     return tl::unexpected(FormatError{name, 0, "a file that fits into memory", "a larger one"});
   }
 }

@@ -62,9 +62,10 @@ bool may_be_apart(const Case& of) {
   // Where hundreds overlap, vertices that hang are not the reason.
   constexpr std::size_t kMostOverlaps = 200;
   const std::size_t overlaps = of.count(Rule::kOverlap);
-  return (overlaps > 0 && overlaps <= kMostOverlaps) || of.breaks(Rule::kHullNotClosed) || of.breaks(Rule::kHullNotConvex) ||
-         of.breaks(Rule::kUncovered) || of.breaks(Rule::kPolygonNotTiled) ||
-         of.breaks(Rule::kHangingVertex) || of.breaks(Rule::kFacesCross);
+  return (overlaps > 0 && overlaps <= kMostOverlaps) || of.breaks(Rule::kHullNotClosed) ||
+         of.breaks(Rule::kHullNotConvex) || of.breaks(Rule::kUncovered) ||
+         of.breaks(Rule::kPolygonNotTiled) || of.breaks(Rule::kHangingVertex) ||
+         of.breaks(Rule::kFacesCross);
 }
 
 }  // namespace
@@ -104,9 +105,9 @@ std::optional<Cause> crossed_diagonals(Case& of) {
   const Verdict* const alone = of.as_complex();
   if (alone == nullptr || alone->complex->crossed_quadrilaterals == 0) return std::nullopt;
   const std::size_t count = alone->complex->crossed_quadrilaterals;
-  const std::string words = fmt::format(
-      "parts that were meshed apart meet in {} with different diagonals",
-      report::counted(count, "quadrilateral"));
+  const std::string words =
+      fmt::format("parts that were meshed apart meet in {} with different diagonals",
+                  report::counted(count, "quadrilateral"));
   if (of.verdict().claim() != Claim::kComplex) {
     return of_listed(of, "crossed-diagonals", words, Rule::kFacesCross);
   }

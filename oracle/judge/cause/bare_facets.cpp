@@ -30,7 +30,7 @@ std::vector<BareFacet> bare_facets(const Mesh& mesh) {
   look_at_rows(mesh, [&]<std::size_t kDimension, class Index>(
                          const fast::MeshView<kDimension, Index>& view) {
     constexpr std::size_t kVertices = kDimension + 1;
-    const auto links = fast::matched_facets(view, 1);
+    const auto links = fast::matched_facets(view, 1, fast::Proposal::kLikely);
     if (!links) return;
     std::vector<bool> is_overused(links->count, false);
     for (const auto& group : links->overused) {

@@ -8,8 +8,8 @@
 namespace circumspect::check {
 namespace {
 
-// As many are judged as a complex in about a second, if they are not one.
-constexpr std::size_t kMostAsComplex = 50'000;
+// As many are judged as a complex in about a fifth of a second, if few do not fit.
+constexpr std::size_t kMostAsComplex = 300'000;
 
 Numbers viewed(const Numbers& numbers) {
   return std::visit(

@@ -48,6 +48,9 @@ Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge)
   for (const Row& row : rows()) {
     const bool is_broken = std::any_of(row.explains.begin(), row.explains.end(),
                                        [&](Rule rule) { return of.breaks(rule); });
+    const bool are_explained =
+        !all.found.empty() && all.found.back().explains == all.found.back().of;
+    if (are_explained) break;
     if (!is_broken) continue;
     if (auto cause = row.find(of); cause && cause->explains > 0) {
       all.found.push_back(std::move(*cause));

@@ -76,20 +76,23 @@ std::string named(const Lists& lists, Claim claim, const Options& options = {}) 
   return first.name + ": " + first.words + (first.explains == first.of ? "" : " in part");
 }
 
-// The half beyond the middle has other points there, which are moved along the last axis.
+// The half beyond the middle has points of its own there, which are moved along the last axis; if
+// they are, the first and the last are left.
 void part(Lists& lists, const Rational& moved) {
   const Rational middle(static_cast<long>(lists.points.back()[0].get_d()) / 2);
+  const std::size_t most = lists.points.size() - 1;
   std::map<Vertex, Vertex> own;
   for (Simplex& simplex : lists.simplices) {
     if (barycentre(lists.corners(simplex))[0] < middle) continue;
     for (Vertex& v : simplex) {
-      if (lists.at(v)[0] != middle) continue;
+      const Rational last = lists.at(v).back();
+      const bool is_end = last == 0 || last == lists.points[most].back();
+      if (lists.at(v)[0] != middle || (moved != 0 && is_end)) continue;
       const auto [twin, is_new] = own.emplace(v, static_cast<Vertex>(lists.points.size()));
       if (is_new) {
-        lists.points.push_back(lists.at(v));
-        const Rational last = lists.points.back().back();
-        const bool is_inner = last > 0 && last < lists.points.front().back() + 2 * middle;
-        if (is_inner) lists.points.back().back() += moved;
+        const Point point = lists.at(v);
+        lists.points.push_back(point);
+        lists.points.back().back() += moved;
       }
       v = twin->second;
     }
@@ -121,8 +124,9 @@ void check_planted(std::size_t side) {
     for (Simplex& simplex : later.simplices) {
       for (Vertex& w : simplex) ++w;
     }
-    CHECK(named(later, claim) ==
-          "indices-begin-elsewhere: indices seem to begin at 1, not at 0: so read, the claim holds");
+    CHECK(
+        named(later, claim) ==
+        "indices-begin-elsewhere: indices seem to begin at 1, not at 0: so read, the claim holds");
     for (Simplex& simplex : later.simplices) {
       for (Vertex& w : simplex) w -= 2;
     }
@@ -133,17 +137,17 @@ void check_planted(std::size_t side) {
     Lists others = good;
     std::mt19937 random(1);
     std::shuffle(others.points.begin(), others.points.end(), random);
-    CHECK(named(others, claim).starts_with(
-        "points-of-another-mesh: the points seem to be those of another mesh"));
+    CHECK(named(others, claim)
+              .starts_with("points-of-another-mesh: the points seem to be those of another mesh"));
 
     Lists turned = good;
     std::swap(turned.simplices.back()[0], turned.simplices.back()[1]);
     Options same;
     same.oriented = true;
     same.complex.oriented = Orientations::kSame;
-    CHECK(named(turned, claim, same).find(is_plane ? "triangles lists its vertices in the other"
-                                                   : "tetrahedra lists its vertices in the other") !=
-          std::string::npos);
+    CHECK(named(turned, claim, same)
+              .find(is_plane ? "triangles lists its vertices in the other"
+                             : "tetrahedra lists its vertices in the other") != std::string::npos);
 
     Lists labelled = good;
     for (std::size_t s = 0; s < good.simplices.size(); ++s) {
@@ -219,8 +223,9 @@ template <std::size_t kDimension>
 void check_apart(std::size_t side) {
   Lists equal = grid<kDimension>(side);
   part(equal, 0);
-  CHECK(named(equal, Claim::kComplex).find(" equal another one, exactly: with --duplicates merge "
-                                           "the claim holds") != std::string::npos);
+  CHECK(named(equal, Claim::kComplex)
+            .find(" equal another one, exactly: with --duplicates merge "
+                  "the claim holds") != std::string::npos);
   Lists hanging = grid<kDimension>(side);
   Simplex& cut = hanging.simplices.back();
   hanging.points.push_back(barycentre({hanging.at(cut[0]), hanging.at(cut[1])}));
@@ -254,9 +259,9 @@ TEST_CASE("causes: parts that were meshed apart") {
     CAPTURE(name(claim));
     CHECK(named(plane, claim).find("parts that were meshed apart meet: 10 vertices lie inside") !=
           std::string::npos);
-    CHECK(named(space, claim).find(
-              "parts that were meshed apart meet in 16 quadrilaterals with different diagonals") !=
-          std::string::npos);
+    CHECK(named(space, claim)
+              .find("parts that were meshed apart meet in 16 quadrilaterals with different "
+                    "diagonals") != std::string::npos);
   }
 }
 
@@ -271,9 +276,10 @@ TEST_CASE("causes: points with a column that is no coordinate") {
   for (std::size_t v = 0; v < labelled.points.size(); ++v) {
     labelled.points[v].back() = Rational(static_cast<long>(v * v), 7);
   }
-  CHECK(named(labelled, Claim::kDelaunay) ==
-        "last-coordinate-does-not-count: the last coordinate is a height: seen along that axis, the "
-        "claim holds");
+  CHECK(
+      named(labelled, Claim::kDelaunay) ==
+      "last-coordinate-does-not-count: the last coordinate is a height: seen along that axis, the "
+      "claim holds");
 }
 
 TEST_CASE("causes: signs that are all the other way") {

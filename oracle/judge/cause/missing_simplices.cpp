@@ -16,12 +16,14 @@ namespace {
 
 // So many points without a simplex are tried as the missing corner.
 constexpr std::size_t kMostUnused = 16;
+// With more simplices than this, those that fit exactly into holes are not judged with the others,
+// which would take as long as the verdict did.
+constexpr std::size_t kMostMended = 50'000;
 
 // The holes of a mesh: what bare facets enclose between them and with the convex hull.
 class Holes {
  public:
-  explicit Holes(const Mesh& mesh)
-      : mesh_(mesh), bare_(bare_facets(mesh)), joined_(bare_.size()) {
+  explicit Holes(const Mesh& mesh) : mesh_(mesh), bare_(bare_facets(mesh)), joined_(bare_.size()) {
     join();
   }
 
@@ -136,6 +138,29 @@ IndexLists with_more(const Mesh& mesh, const std::vector<Simplex>& more) {
   });
 }
 
+std::string words_of(const Mesh& mesh, const std::vector<Simplex>& missing) {
+  const auto noun = report::simplices_noun(static_cast<int>(mesh.dimension()), missing.size());
+  const std::string first = report::labels(mesh, missing.front());
+  if (missing.size() == 1) return fmt::format("1 {} is missing: {} fills the hole", noun, first);
+  return fmt::format("{} {} are missing: {} and {} more fill the holes", missing.size(), noun,
+                     first, missing.size() - 1);
+}
+
+// What simplices explain that fit exactly into holes: the violations at their faces.
+Cause at_holes(const Case& of, const std::string& words, const std::vector<Simplex>& missing) {
+  const std::vector<Violation>& listed = of.verdict().violations();
+  Cause cause{"missing-simplex", words, 0, listed.size(), listed.size() < of.violations()};
+  for (const Violation& violation : listed) {
+    const auto& face = violation.witness.face;
+    const bool is_there =
+        face && std::any_of(missing.begin(), missing.end(), [&](const Simplex& s) {
+          return std::all_of(face->begin(), face->end(), [&](Vertex v) { return contains(s, v); });
+        });
+    cause.explains += is_there ? 1 : 0;
+  }
+  return cause;
+}
+
 }  // namespace
 
 std::optional<Cause> missing_simplices(Case& of) {
@@ -154,17 +179,14 @@ std::optional<Cause> missing_simplices(Case& of) {
     }
   }
   if (missing.empty()) return std::nullopt;
+  const std::string words = words_of(of.mesh(), missing);
+  if (are_closed && of.mesh().simplices.size() > kMostMended) {
+    return at_holes(of, words, missing);
+  }
   const auto mended = of.mended(with_simplices(of.mesh(), with_more(of.mesh(), missing)));
   // A notch between two facets may be meant, unless nothing else is wrong.
   if (!mended || mended->explains == 0 || (!are_closed && !mended->holds)) return std::nullopt;
-  const auto noun = report::simplices_noun(static_cast<int>(of.mesh().dimension()), missing.size());
-  const std::string first = report::labels(of.mesh(), missing.front());
-  return of.cause("missing-simplex",
-                  missing.size() == 1
-                      ? fmt::format("1 {} is missing: {} fills the hole", noun, first)
-                      : fmt::format("{} {} are missing: {} and {} more fill the holes",
-                                    missing.size(), noun, first, missing.size() - 1),
-                  mended->explains);
+  return of.cause("missing-simplex", words, mended->explains);
 }
 
 }  // namespace circumspect::check

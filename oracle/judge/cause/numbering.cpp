@@ -85,8 +85,8 @@ std::optional<Cause> indices_begin_elsewhere(Case& of) {
   if (found->least >= 1 && found->most == last) shift = -1;
   if (found->least == -1 && found->most < last) shift = 1;
   if (shift == 0) return std::nullopt;
-  const auto mended = of.mended(
-      with_simplices(mesh, changed(mesh.simplices, mesh.simplices.columns(), shift)));
+  const auto mended =
+      of.mended(with_simplices(mesh, changed(mesh.simplices, mesh.simplices.columns(), shift)));
   if (!mended || mended->explains == 0 || mended->left >= of.violations()) return std::nullopt;
   const Vertex first = mesh.label(0);
   return of.cause(

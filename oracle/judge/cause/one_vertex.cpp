@@ -16,7 +16,7 @@ namespace circumspect::check {
 namespace {
 
 // Fewer violations name too much in common to tell anything.
-constexpr std::size_t kFewest = 2;
+constexpr std::size_t kFewest = 3;
 // Stars that are larger than this are not tried elsewhere.
 constexpr std::size_t kMostInStar = 1'000;
 
@@ -42,7 +42,8 @@ class Star {
         facets_.insert(sorted(std::move(facet)));
       }
       for (const Simplex& facet : facets_) link_.insert(facet.begin(), facet.end());
-      for (std::size_t s = 0; s < view.size() && size() <= kMostInStar; ++s) add_across(view.row(s));
+      for (std::size_t s = 0; s < view.size() && size() <= kMostInStar; ++s)
+        add_across(view.row(s));
     });
   }
 
@@ -170,21 +171,21 @@ std::optional<Cause> one_vertex(Case& of) {
       middle = found;
     }
     if (mendable == 1) {
-      return of.cause("vertex-out-of-place",
-                      fmt::format("{} name vertex {}, which is not between its neighbours: in their "
-                                  "middle, {}, its simplices would fit",
-                                  all, of.mesh().label(*moved), decimals(*middle)),
-                      named.violations);
+      return of.cause(
+          "vertex-out-of-place",
+          fmt::format("{} name vertex {}, which is not between its neighbours: in their "
+                      "middle, {}, its simplices would fit",
+                      all, of.mesh().label(*moved), decimals(*middle)),
+          named.violations);
     }
   }
   if (named.vertices.size() == size && simplices_with(of.mesh(), named.vertices) == 1 &&
       is_seldom(of.mesh(), named.vertices.front())) {
-    return of.cause(
-        "one-simplex",
-        fmt::format("{} name the {} {}", all,
-                    report::simplices_noun(static_cast<int>(of.mesh().dimension()), 1),
-                    report::labels(of.mesh(), named.vertices)),
-        named.violations);
+    return of.cause("one-simplex",
+                    fmt::format("{} name the {} {}", all,
+                                report::simplices_noun(static_cast<int>(of.mesh().dimension()), 1),
+                                report::labels(of.mesh(), named.vertices)),
+                    named.violations);
   }
   if (named.vertices.size() > 1 || !is_seldom(of.mesh(), named.vertices.front())) {
     return std::nullopt;

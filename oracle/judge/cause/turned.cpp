@@ -37,7 +37,8 @@ struct Turned {
 template <std::size_t kDimension, class Index>
 class Parts {
  public:
-  Parts(const Mesh& mesh, const fast::MeshView<kDimension, Index>& view, const fast::OwnedLinks& links)
+  Parts(const Mesh& mesh, const fast::MeshView<kDimension, Index>& view,
+        const fast::OwnedLinks& links)
       : mesh_(mesh), view_(view), links_(links.view()), sense_(view.size(), 0) {}
 
   Turned turned() {
@@ -113,11 +114,11 @@ Turned turned_against_neighbours(const Mesh& mesh) {
 }  // namespace
 
 std::optional<Cause> other_points(Case& of) {
-  constexpr std::size_t kFewest = 16;
+  constexpr std::size_t kFewestTurned = 16;
   const std::size_t places =
       of.count(Rule::kOverlap) + of.count(Rule::kDegenerateSimplex) + of.count(Rule::kFacesCross);
   const Turned turned = turned_against_neighbours(of.mesh());
-  if (4 * turned.fewer < turned.of || turned.of < kFewest) return std::nullopt;
+  if (4 * turned.fewer < turned.of || turned.of < kFewestTurned) return std::nullopt;
   return of.cause(
       "points-of-another-mesh",
       fmt::format("the points seem to be those of another mesh, or in another order: {} of {} are "
@@ -136,17 +137,18 @@ std::optional<Cause> turned_simplices(Case& of) {
   const std::string simplices = report::counted_simplices(all, k);
   if (of.count(Rule::kInverted) == all && verdict.complex) {
     const bool are_negative = verdict.complex->positive == 0;
-    return of.cause("all-inverted",
-                    fmt::format("all {} list their vertices in the other order: --oriented={} holds "
-                                "of them",
-                                simplices, are_negative ? "negative" : "positive"),
-                    turned);
+    return of.cause(
+        "all-inverted",
+        fmt::format("all {} list their vertices in the other order: --oriented={} holds "
+                    "of them",
+                    simplices, are_negative ? "negative" : "positive"),
+        turned);
   }
-  return of.cause("inverted",
-                  fmt::format("{} of {} list{} {} vertices in the other order: swap two of them",
-                              turned, simplices, turned == 1 ? "s" : "",
-                              turned == 1 ? "its" : "their"),
-                  turned);
+  return of.cause(
+      "inverted",
+      fmt::format("{} of {} list{} {} vertices in the other order: swap two of them", turned,
+                  simplices, turned == 1 ? "s" : "", turned == 1 ? "its" : "their"),
+      turned);
 }
 
 }  // namespace circumspect::check

@@ -85,7 +85,9 @@ std::vector<Simplex> inconsistent_facets(const std::vector<Simplex>& simplices,
                                          const std::vector<FacetUse>& uses) {
   std::vector<Simplex> found;
   for_each_facet(uses, [&](Uses group) {
-    if (group.size() == 2 && sense(simplices, group[0]) == sense(simplices, group[1])) {
+    const bool goes_around = !group.front().facet.empty();
+    if (group.size() != 2 || !goes_around) return;
+    if (sense(simplices, group[0]) == sense(simplices, group[1])) {
       found.push_back(group.front().facet);
     }
   });

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <span>
 
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/complex/carriers.hpp"
-#include "oracle/judge/complex/simplex_boxes.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -58,13 +58,14 @@ class Conditions {
 
   Places beside_outside() const {
     Places found;
-    const BoxIndex tree(boxes_around(positions_, simplices_));
+    const CellBoxes boxes(positions_);
+    const BoxIndex tree = boxes.index_of(simplices_);
     const Places class_of = class_of_each(facets_);
     for (std::size_t one = 0; one < facets_.size(); ++one) {
       if (class_of[one] != one) continue;
       const std::vector<Point> facet = corners(facets_[one]);
       const Point& own = positions_[static_cast<std::size_t>(apex(owners_[one]))];
-      for (const std::size_t s : tree.meeting(boxes_around(positions_, {facets_[one]}).front())) {
+      for (const std::size_t s : tree.meeting(boxes.of(facets_[one]))) {
         if (!has_just_outside(corners(simplices_[s]), facet, own)) continue;
         found.push_back(s);
         found.push_back(owners_[one].simplex);
@@ -103,7 +104,7 @@ std::vector<std::size_t> improper_facets(const Configuration& points,
                                          const std::vector<Point>& positions,
                                          const std::vector<Simplex>& facets) {
   Places found;
-  const std::vector<Box> boxes = boxes_around(positions, facets);
+  const std::vector<Box> boxes = CellBoxes(positions).of(facets);
   const BoxIndex tree(boxes);
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const std::size_t j : tree.meeting(boxes[i])) {

@@ -35,7 +35,27 @@ bool is_flat(const Configuration& points, const Simplex& simplex) {
          orientation(points, simplex) == 0;
 }
 
-// What definition::set_apart says.
+std::vector<int> signs(const Configuration& points, const std::vector<Simplex>& simplices) {
+  std::vector<std::size_t> axes(points.ambient_dimension());
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  // From the last vertex to the first, the determinant changes its sign in odd dimensions.
+  const int from_first = axes.size() % 2 == 0 ? 1 : -1;
+  std::vector<int> signs;
+  signs.reserve(simplices.size());
+  for (const Simplex& simplex : simplices) {
+    signs.push_back(from_first * orientation(points, axes, simplex));
+  }
+  return signs;
+}
+
+void take_signs(std::vector<int> signs, Findings& found) {
+  found.signs = std::move(signs);
+  found.positive = static_cast<std::size_t>(std::count(found.signs.begin(), found.signs.end(), 1));
+  found.negative = found.signs.size() - found.positive;
+}
+
+}  // namespace
+
 SetApart sorted_apart(const ListedComplex& listed, const Configuration& points, std::size_t size) {
   SetApart apart;
   apart.equal_points = duplicates(listed.points);
@@ -73,27 +93,6 @@ SetApart sorted_apart(const ListedComplex& listed, const Configuration& points, 
   }
   return apart;
 }
-
-void take_signs(std::vector<int> signs, Findings& found) {
-  found.signs = std::move(signs);
-  found.positive = static_cast<std::size_t>(std::count(found.signs.begin(), found.signs.end(), 1));
-  found.negative = found.signs.size() - found.positive;
-}
-
-std::vector<int> signs(const Configuration& points, const std::vector<Simplex>& simplices) {
-  std::vector<std::size_t> axes(points.ambient_dimension());
-  std::iota(axes.begin(), axes.end(), std::size_t{0});
-  // From the last vertex to the first, the determinant changes its sign in odd dimensions.
-  const int from_first = axes.size() % 2 == 0 ? 1 : -1;
-  std::vector<int> signs;
-  signs.reserve(simplices.size());
-  for (const Simplex& simplex : simplices) {
-    signs.push_back(from_first * orientation(points, axes, simplex));
-  }
-  return signs;
-}
-
-}  // namespace
 
 std::size_t size_of_simplices(const ListedComplex& listed) {
   std::size_t size = 0;
@@ -137,8 +136,7 @@ Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& de
   found.open_facets = open_facets(uses);
   found.boundary_facets = found.open_facets.size();
   found.part_of = part_of_each(simplices, uses);
-  found.parts =
-      std::set<std::size_t>(found.part_of.begin(), found.part_of.end()).size();
+  found.parts = std::set<std::size_t>(found.part_of.begin(), found.part_of.end()).size();
   if (is_full) {
     take_signs(signs(points, simplices), found);
   } else {

@@ -25,6 +25,10 @@ struct Findings {
 // How many vertices a simplex is to have: as the largest of the list that is not larger than d + 1.
 std::size_t size_of_simplices(const definition::ListedComplex& listed);
 
+// What definition::set_apart says, in near-linear time. `points` are those of the list.
+definition::SetApart sorted_apart(const definition::ListedComplex& listed,
+                                  const Configuration& points, std::size_t size);
+
 // Requires: `manifold` is demanded of at most four vertices each.
 Findings findings_by_definition(const definition::ListedComplex& listed,
                                 const ComplexDemands& demands);

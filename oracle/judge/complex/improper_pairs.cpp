@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/complex/carriers.hpp"
-#include "oracle/judge/complex/simplex_boxes.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -17,19 +17,6 @@ using definition::ImproperPairs;
 
 bool has_face(const Simplex& simplex, const Simplex& face) {
   return std::includes(simplex.begin(), simplex.end(), face.begin(), face.end());
-}
-
-std::vector<Simplex> faces_of(const Simplex& simplex) {
-  std::vector<Simplex> faces;
-  for (std::size_t size = 1; size <= simplex.size(); ++size) {
-    Simplex places = first_subset(size);
-    do {
-      Simplex face;
-      for (const Vertex place : places) face.push_back(simplex[static_cast<std::size_t>(place)]);
-      faces.push_back(face);
-    } while (next_subset(places, simplex.size()));
-  }
-  return faces;
 }
 
 // Do the relative interiors of two faces without a common vertex meet in one point, and none of
@@ -60,7 +47,7 @@ class Pairs {
       sorted_[s] = sorted(apart.merged[s]);
       for (const Vertex v : sorted_[s]) flat_at_vertex_[v].push_back(s);
     }
-    const std::vector<Box> boxes = boxes_around(listed.points, compared);
+    const std::vector<Box> boxes = CellBoxes(listed.points).of(compared);
     const BoxIndex tree(boxes);
     for (const std::size_t i : among) {
       pairs_.is_cut = pairs_.overlaps.size() >= kMostOverlaps;
@@ -98,8 +85,8 @@ class Pairs {
     }
     bool hangs = false;
     std::vector<CrossingFaces> of_pair;
-    for (const Simplex& f : faces_of(both.of_a)) {
-      for (const Simplex& g : faces_of(both.of_b)) {
+    for (const Simplex& f : faces(both.of_a)) {
+      for (const Simplex& g : faces(both.of_b)) {
         if (!meet_in_one_point(points_, f, g)) continue;
         if (f.size() == 1) hanging_.insert({f.front(), g});
         if (g.size() == 1) hanging_.insert({g.front(), f});

@@ -300,6 +300,14 @@ std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
   return fault_of_demands(demands, size, mesh.dimension());
 }
 
+void add_findings(const ListedComplex& listed, const Findings& found, const ComplexDemands& demands,
+                  std::size_t size, Verdict& verdict) {
+  Said said(listed, found, verdict);
+  said.each_simplex(size);
+  said.pairs(demands.allow_hanging);
+  said.orientations(demands.oriented);
+}
+
 Verdict judge_complex(const ListedComplex& listed, const ComplexDemands& demands,
                       bool by_definition, std::size_t max_violations) {
   return verdict_of_findings(
@@ -315,10 +323,8 @@ Verdict verdict_of_findings(const ListedComplex& listed, const Findings& found,
   verdict.points = listed.points.size();
   verdict.simplices = listed.simplices.size();
   verdict.dimension = affine_hull(listed.points).dimension;
+  add_findings(listed, found, demands, size, verdict);
   Said said(listed, found, verdict);
-  said.each_simplex(size);
-  said.pairs(demands.allow_hanging);
-  said.orientations(demands.oriented);
   if (!demands.allow_unused) said.vertex_set();
   said.boundary(demands);
   verdict.complex = facts_of(found, demands, size);

@@ -16,6 +16,11 @@ std::string fault_of_demands(const ComplexDemands& demands, std::size_t size,
 // The same of the simplices and the points of a mesh.
 std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands);
 
+// Adds what was found of simplices, which are to have `size` vertices: by themselves, in pairs, and
+// how they are listed.
+void add_findings(const definition::ListedComplex& listed, const Findings& found,
+                  const ComplexDemands& demands, std::size_t size, Verdict& verdict);
+
 // The answer is the same by definition and by lemma, but for the time that it takes.
 Verdict judge_complex(const definition::ListedComplex& listed, const ComplexDemands& demands,
                       bool by_definition, std::size_t max_violations);

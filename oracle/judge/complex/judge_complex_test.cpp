@@ -56,6 +56,11 @@ TEST_CASE("what is set apart is named, its vertices are used, and the others are
   CHECK(facts.negative == 0);
 }
 
+TEST_CASE("points alone have no orientation that could differ") {
+  const ListedComplex two{{{0, 0}, {4, 0}}, {{0}, {1}}};
+  CHECK(broken(two, {.oriented = Orientations::kSame}).empty());
+}
+
 TEST_CASE("hanging vertices are allowed, and points of no simplex") {
   const ListedComplex mesh{{{0, 0}, {4, 0}, {0, 4}, {4, 4}, {2, 2}, {9, 9}},
                            {{0, 1, 4}, {0, 4, 2}, {1, 3, 2}}};

@@ -4,8 +4,6 @@
 #include <map>
 #include <set>
 
-#include "oracle/judge/definition/simplicial_complex.hpp"
-
 namespace circumspect::definition {
 namespace {
 
@@ -178,9 +176,8 @@ class Imaging {
     const auto has_both = [&](const Simplex& simplex) {
       return contains(simplex, link[0]) && contains(simplex, link[1]);
     };
-    const ExactMesh& mesh = moved_.mesh;
-    return std::any_of(mesh.simplices.begin(), mesh.simplices.end(), has_both) ||
-           std::any_of(mesh.faces.begin(), mesh.faces.end(), has_both);
+    const std::vector<Simplex> listed = moved_.mesh.simplices_and_faces();
+    return std::any_of(listed.begin(), listed.end(), has_both);
   }
 
   // The choice of T_f: the triangles that are meant, if they satisfy 4. Else of all sets that do
@@ -260,11 +257,11 @@ class Imaging {
     if (cell.dimension == 0) simplices = {{images_.vertices[cell.place]}};
     if (cell.dimension == 1) simplices = links(images_.paths[cell.place]);
     if (cell.dimension == 2) simplices = images_.patches[cell.place];
-    std::set<Simplex> faces;
-    for (std::size_t size = 1; size <= 3; ++size) {
-      for (const Simplex& face : faces_of(simplices, size)) faces.insert(face);
+    std::set<Simplex> found;
+    for (const Simplex& simplex : simplices) {
+      for (const Simplex& face : faces(sorted(simplex))) found.insert(face);
     }
-    return faces;
+    return found;
   }
 
   // 5. A simplex in the images of two cells is in the image of a common face of them. Around each
@@ -310,33 +307,9 @@ class Imaging {
 
 }  // namespace
 
-std::vector<LinearCell> linear_cells(const PiecewiseLinearComplex& complex) {
-  std::vector<LinearCell> cells;
-  for (std::size_t v = 0; v < complex.points.size(); ++v) cells.push_back({0, v});
-  for (std::size_t s = 0; s < complex.segments.size(); ++s) cells.push_back({1, s});
-  for (std::size_t p = 0; p < complex.polygons.size(); ++p) cells.push_back({2, p});
-  return cells;
-}
-
-std::vector<Vertex> vertices_in(const PiecewiseLinearComplex& complex, LinearCell cell) {
-  if (cell.dimension == 0) return {static_cast<Vertex>(cell.place)};
-  return cell.dimension == 1 ? complex.segments[cell.place] : complex.polygons[cell.place].vertices;
-}
-
-bool is_face(const PiecewiseLinearComplex& complex, LinearCell face, LinearCell cell) {
-  if (face.dimension >= cell.dimension) return face == cell;
-  if (face.dimension == 0) {
-    return contains(vertices_in(complex, cell), static_cast<Vertex>(face.place));
-  }
-  const std::vector<Simplex>& segments = complex.polygons[cell.place].segments;
-  return std::count(segments.begin(), segments.end(), complex.segments[face.place]) > 0;
-}
-
 std::vector<Simplex> triangles_near(const MovedDomain& moved, const Carriers& carriers,
                                     std::size_t polygon) {
-  std::vector<Simplex> listed = moved.mesh.simplices;
-  listed.insert(listed.end(), moved.mesh.faces.begin(), moved.mesh.faces.end());
-  std::vector<Simplex> near = faces_of(listed, 3);
+  std::vector<Simplex> near = faces_of(moved.mesh.simplices_and_faces(), 3);
   std::erase_if(near, [&](const Simplex& triangle) {
     return std::any_of(triangle.begin(), triangle.end(), [&](Vertex v) {
       const auto& carrier = carriers[static_cast<std::size_t>(v)];

@@ -1,30 +1,17 @@
 // What in a mesh M are the moved cells of a complex P? docs/theory/within.md, Definition 2 to 5.
 #pragma once
 
-#include <compare>
 #include <optional>
 #include <vector>
 
 #include <tl/expected.hpp>
 
+#include "kernel/piecewise_linear/linear_cell.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::definition {
-
-// A vertex (dimension 0), a segment (1) or a polygon (2) of P, by its place among them.
-struct LinearCell {
-  int dimension = 0;
-  std::size_t place = 0;
-  auto operator<=>(const LinearCell&) const = default;
-};
-
-// All of them, those of lower dimension first.
-std::vector<LinearCell> linear_cells(const PiecewiseLinearComplex& complex);
-std::vector<Vertex> vertices_in(const PiecewiseLinearComplex& complex, LinearCell cell);
-// Is it the cell itself or a face of it? The vertices and segments in a polygon are faces of it.
-bool is_face(const PiecewiseLinearComplex& complex, LinearCell face, LinearCell cell);
 
 // P, M and what belongs to them. `used`: which points of M are vertices of it. `triangles_meant`:
 // for each polygon triangles (ascending) that are to be its image if they can, or none.

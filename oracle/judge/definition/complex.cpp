@@ -27,28 +27,20 @@ std::vector<Simplex> with_face(const std::vector<Simplex>& simplices, const Simp
   return found;
 }
 
-// Is there a common point Σ λ_i a_i = Σ μ_j b_j with all coordinates positive? Asked is for the
-// largest ε that all can reach: unknown are λ_i − ε, μ_j − ε, and ε.
+// Is there a common point Σ λ_i a_i = Σ μ_j b_j with all coordinates positive?
 bool relative_interiors_meet(const Points& a, const Points& b) {
   const std::size_t d = a.front().size(), last = a.size() + b.size();
-  LinearProgram program;
-  program.equations.assign(d + 2, std::vector<Rational>(last + 1, 0));
-  program.right_sides.assign(d + 2, 0);
-  program.right_sides[d] = program.right_sides[d + 1] = 1;
-  program.objective.assign(last + 1, 0);
-  program.objective[last] = 1;
+  RationalMatrix rows(d + 2, std::vector<Rational>(last, 0));
+  std::vector<Rational> right(d + 2, 0);
+  right[d] = right[d + 1] = 1;
   for (std::size_t i = 0; i < last; ++i) {
     const bool is_of_a = i < a.size();
     for (std::size_t axis = 0; axis < d; ++axis) {
-      program.equations[axis][i] = is_of_a ? a[i][axis] : Rational(-b[i - a.size()][axis]);
+      rows[axis][i] = is_of_a ? a[i][axis] : Rational(-b[i - a.size()][axis]);
     }
-    program.equations[is_of_a ? d : d + 1][i] = 1;
-    for (std::size_t row = 0; row < d + 2; ++row) {
-      program.equations[row][last] += program.equations[row][i];
-    }
+    rows[is_of_a ? d : d + 1][i] = 1;
   }
-  const LinearProgramAnswer answer = maximize(program);
-  return answer.status == LinearProgramStatus::kOptimal && sign(answer.value) > 0;
+  return is_solvable(std::move(rows), std::move(right), last);
 }
 
 // Do the relative interiors of two faces meet in one point, and none of smaller faces? Then their
@@ -73,14 +65,6 @@ bool meet_properly(const ListedComplex& listed, const Simplex& a, const Simplex&
     return simplex;
   };
   return !improper_intersection(PointSet(at(listed, together)), places_of(a), places_of(b));
-}
-
-std::vector<Simplex> all_faces(const Simplex& simplex) {
-  std::vector<Simplex> faces;
-  for (std::size_t size = 1; size <= simplex.size(); ++size) {
-    for (const Simplex& face : faces_of({simplex}, size)) faces.push_back(face);
-  }
-  return faces;
 }
 
 // In how many parts are some simplices, if those with a common face of this size are connected?
@@ -156,7 +140,7 @@ ImproperPairs improper_pairs(const ListedComplex& listed, const SetApart& apart)
   for (const std::size_t i : apart.compared) {
     for (const std::size_t j : apart.compared) {
       if (j <= i) continue;
-      const Simplex &a = apart.merged[i], &b = apart.merged[j];
+      const Simplex a = sorted(apart.merged[i]), b = sorted(apart.merged[j]);
       if (meet_properly(listed, a, b)) continue;
       if (relative_interiors_meet(at(listed, a), at(listed, b))) {
         pairs.overlaps.push_back({i, j});
@@ -164,8 +148,8 @@ ImproperPairs improper_pairs(const ListedComplex& listed, const SetApart& apart)
       }
       bool hangs = false;
       std::set<CrossingFaces> of_pair;
-      for (const Simplex& f : all_faces(a)) {
-        for (const Simplex& g : all_faces(b)) {
+      for (const Simplex& f : faces(a)) {
+        for (const Simplex& g : faces(b)) {
           const bool are_apart =
               std::none_of(f.begin(), f.end(), [&](Vertex v) { return contains(g, v); });
           if (!are_apart || !meet_in_one_point(at(listed, f), at(listed, g))) continue;
@@ -259,7 +243,8 @@ std::vector<Simplex> inconsistent_facets(const std::vector<Simplex>& simplices) 
     return is_odd_permutation(facet_opposite(simplex, place)) != (place % 2 == 1);
   };
   std::vector<Simplex> found;
-  if (simplices.empty()) return found;
+  if (simplices.empty() || simplices.front().size() < 2)
+    return found;  // nothing goes around points
   for (const Simplex& facet : faces_of(simplices, simplices.front().size() - 1)) {
     const std::vector<Simplex> beside = with_face(simplices, facet);
     if (beside.size() == 2 && sense(beside[0], facet) == sense(beside[1], facet)) {

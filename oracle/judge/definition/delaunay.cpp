@@ -34,26 +34,27 @@ namespace {
 // equally far from the vertices p, p_1, …, p_k of the simplex, and no farther from them than from
 // each point q. |x − p|² and |x − q|² differ by what is linear in x, so that is a linear program:
 //     2 (p_i − p)·x = |p_i|² − |p|²      2 (q − p)·x ≤ |q|² − |p|²
-// The program wants unknowns that are not negative: x = x⁺ − x⁻, and one more for each inequality.
+// The unknowns may not be negative: x = x⁺ − x⁻, and one more for each inequality.
 bool every_ball_has_one_of(const PointSet& points, const Simplex& simplex,
                            const std::vector<Vertex>& some) {
   const Point& p = points[simplex.front()];
   const std::size_t d = p.size();
-  LinearProgram program;
-  program.objective.assign(2 * d + some.size(), 0);
-  const auto add_row = [&](const Point& q, std::optional<std::size_t> slack) {
-    std::vector<Rational> row(program.objective.size(), 0);
+  RationalMatrix rows;
+  std::vector<Rational> right;
+  const auto add_row = [&](const Point& q) {
+    std::vector<Rational>& row = rows.emplace_back(2 * d + some.size(), 0);
     for (std::size_t axis = 0; axis < d; ++axis) {
       row[axis] = 2 * (q[axis] - p[axis]);
       row[d + axis] = -row[axis];
     }
-    if (slack) row[2 * d + *slack] = 1;
-    program.equations.push_back(row);
-    program.right_sides.push_back(squared_length(q) - squared_length(p));
+    right.push_back(squared_length(q) - squared_length(p));
   };
-  for (std::size_t i = 1; i < simplex.size(); ++i) add_row(points[simplex[i]], std::nullopt);
-  for (std::size_t i = 0; i < some.size(); ++i) add_row(points[some[i]], i);
-  return maximize(program).status == LinearProgramStatus::kInfeasible;
+  for (std::size_t i = 1; i < simplex.size(); ++i) add_row(points[simplex[i]]);
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    add_row(points[some[i]]);
+    rows.back()[2 * d + i] = 1;
+  }
+  return !is_solvable(rows, right);
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ TEST_CASE("a dangling polygon has a triangulation of its own") {
   CHECK(with({{0, 1, 3}}, Claim::kCdt) ==
         Broken{{Rule::kPolygonNotTiled, 1}, {Rule::kSegmentMissing, 2}});
   CHECK(with(shortly, Claim::kConformingDelaunay).empty());
-  // A slit along the diagonal hides the two parts from each other. What is off the plane is not seen.
+  // A slit along the diagonal hides the two parts from each other. What is off the plane is not
+  // seen.
   rhombus.segments = {{0, 2}};
   CHECK(with(lengthwise, Claim::kCdt).empty());
   PiecewiseLinearInput with_vertex = rhombus;

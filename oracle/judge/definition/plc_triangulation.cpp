@@ -1,9 +1,11 @@
 #include "oracle/judge/definition/plc_triangulation.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/linear_cell.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -24,14 +26,15 @@ Rational measure(const PointSet& points, const Axes& axes, const std::vector<Sim
   return sum;
 }
 
-// Twice the area that two triangles of one plane have in common, projected.
-Rational common_area(const Axes& axes, const std::vector<Point>& a, const std::vector<Point>& b) {
+// The same of what two segments, or triangles of one plane, have in common.
+Rational common_measure(const Axes& axes, const std::vector<Point>& a,
+                        const std::vector<Point>& b) {
   const std::vector<Point> corners = intersection(a, b);
+  if (axes.size() == 1 && corners.size() == 2)
+    return abs(corners[1][axes[0]] - corners[0][axes[0]]);
   Rational twice = 0;
   for (std::size_t i = 0; corners.size() > 2 && i < corners.size(); ++i) {
-    const Point& p = corners[i];
-    const Point& q = corners[(i + 1) % corners.size()];
-    twice += p[axes[0]] * q[axes[1]] - q[axes[0]] * p[axes[1]];
+    twice += cross_product(corners[i], corners[(i + 1) % corners.size()], axes[0], axes[1]);
   }
   return abs(twice);
 }
@@ -44,9 +47,8 @@ class Judging {
         complex_(complex),
         may_have_more_(may_have_more),
         verdict_(verdict),
-        listed_(mesh.simplices) {
+        listed_(mesh.simplices_and_faces()) {
     for (std::size_t axis = 0; axis < complex.ambient_dimension(); ++axis) axes_.push_back(axis);
-    listed_.insert(listed_.end(), mesh.faces.begin(), mesh.faces.end());
   }
 
   std::optional<PiecewiseLinearComplex> run() {
@@ -98,9 +100,9 @@ class Judging {
       }
       extra.add(v, verdict_.max_violations());
       if (!may_have_more_) verdict_.add(Rule::kSteinerForbidden, {.vertices = {v}});
-      ++(lies_on_segment(v)   ? count.on_segments
-         : lies_in_polygon(v) ? count.in_polygons
-                              : count.in_polyhedra);
+      ++(lies_in_cell_of(1, v)   ? count.on_segments
+         : lies_in_cell_of(2, v) ? count.in_polygons
+                                 : count.in_polyhedra);
     }
     verdict_.extra_vertices = extra;
     if (complete) verdict_.steiner_points = count;
@@ -121,35 +123,29 @@ class Judging {
 
   // Every segment and every polygon is a union of simplices.
   void cells_are_unions() {
-    const std::vector<Simplex> edges = faces_of(listed_, 2), triangles = faces_of(listed_, 3);
-    for (const Simplex& segment : complex_.segments) {
-      edges_in_.emplace_back();
-      for (const Simplex& edge : edges) {
-        if (lies_on(segment, edge[0]) && lies_on(segment, edge[1]))
-          edges_in_.back().push_back(edge);
+    for (const LinearCell cell : linear_cells(complex_)) {
+      if (cell.dimension == 0) continue;
+      const std::vector<Simplex> own = simplices_of(complex_, cell);
+      const Axes axes = axes_of(complex_.points.configuration(), own.front());
+      std::vector<Simplex>& parts = parts_[cell];
+      for (const Simplex& simplex : faces_of(listed_, axes.size() + 1)) {
+        if (is_part(simplex, own, axes)) parts.push_back(simplex);
       }
-      const Axes along = axes_of(complex_.points.configuration(), segment);
-      const Rational whole = measure(complex_.points, along, {segment});
-      const Rational found = measure(mesh_.points, along, edges_in_.back());
+      const Rational whole = measure(complex_.points, axes, own);
+      const Rational found = measure(mesh_.points, axes, parts);
       if (found == whole) continue;
-      verdict_.add(
-          Rule::kSegmentMissing,
-          {.values = {{"length along an axis", whole}, {"length of the edges in it", found}},
-           .domain_cell = segment,
-           .nearest = nearest_to(coordinates(complex_.points, segment))});
-    }
-    for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
-      const Polygon& polygon = complex_.polygons[p];
-      triangles_in_.emplace_back();
-      for (const Simplex& triangle : triangles) {
-        if (is_part(triangle, polygon)) triangles_in_.back().push_back(triangle);
+      if (cell.dimension == 1) {
+        verdict_.add(
+            Rule::kSegmentMissing,
+            {.values = {{"length along an axis", whole}, {"length of the edges in it", found}},
+             .domain_cell = own.front(),
+             .nearest = nearest_to(coordinates(complex_.points, own.front()))});
+      } else {
+        verdict_.add(Rule::kPolygonNotTiled,
+                     {.values = {{"twice the area of its projection", whole},
+                                 {"that of the triangles in it", found}},
+                      .polygon = cell.place});
       }
-      const Rational whole = measure(complex_.points, polygon.axes, polygon.triangles);
-      const Rational found = measure(mesh_.points, polygon.axes, triangles_in_.back());
-      if (found == whole) continue;
-      verdict_.add(Rule::kPolygonNotTiled, {.values = {{"twice the area of its projection", whole},
-                                                       {"that of the triangles in it", found}},
-                                            .polygon = p});
     }
   }
 
@@ -193,10 +189,8 @@ class Judging {
       allowed.insert(faces.begin(), faces.end());
     };
     for (const std::size_t size : {2, 3}) allow(faces_of(mesh_.simplices, size));
-    for (const auto& edges : edges_in_) allow(edges);
-    for (const auto& triangles : triangles_in_) {
-      allow(triangles);
-      allow(faces_of(triangles, 2));
+    for (const auto& [cell, parts] : parts_) {
+      for (const std::size_t size : {2, 3}) allow(faces_of(parts, size));
     }
     std::set<Simplex> dangling;  // listed faces of nothing larger
     for (const Simplex& face : mesh_.faces) {
@@ -204,8 +198,8 @@ class Judging {
       dangling.insert(sorted(face));
     }
     for (const Simplex& larger : listed_) {
-      for (std::size_t size = 2; size < larger.size(); ++size) {
-        for (const Simplex& face : faces_of({larger}, size)) dangling.erase(face);
+      for (const Simplex& face : faces(sorted(larger))) {
+        if (face.size() < larger.size()) dangling.erase(face);
       }
     }
     verdict_.dangling = dangling.size();
@@ -235,11 +229,12 @@ class Judging {
 
   PiecewiseLinearComplex augmented() const {
     PiecewiseLinearComplex result{mesh_.points, {}, {}, complex_.hole_seeds, complex_.kind};
-    for (const auto& edges : edges_in_) {
-      result.segments.insert(result.segments.end(), edges.begin(), edges.end());
+    for (const auto& [cell, parts] : parts_) {
+      if (cell.dimension == 2) result.polygons.push_back({{}, {}, {}, {}, parts});
+      if (cell.dimension == 1) {
+        result.segments.insert(result.segments.end(), parts.begin(), parts.end());
+      }
     }
-    for (const auto& triangles : triangles_in_)
-      result.polygons.push_back({{}, {}, {}, {}, triangles});
     return result;
   }
 
@@ -251,30 +246,28 @@ class Judging {
     return std::any_of(listed_.begin(), listed_.end(),
                        [&](const Simplex& simplex) { return contains(simplex, v); });
   }
-  // Of a vertex of the mesh and cells of P.
-  bool lies_on(const Simplex& cell, Vertex v) const {
-    return !intersection(coordinates(complex_.points, cell), {mesh_.points[v]}).empty();
-  }
-  bool lies_on_segment(Vertex v) const {
-    return std::any_of(complex_.segments.begin(), complex_.segments.end(),
-                       [&](const Simplex& segment) { return lies_on(segment, v); });
-  }
-  bool lies_in_polygon(Vertex v) const {
-    const std::vector<Simplex> all = circumspect::walls(complex_);
-    return std::any_of(all.begin(), all.end(),
-                       [&](const Simplex& wall) { return lies_on(wall, v); });
-  }
-  // Has the triangle as much in common with the polygon as with itself?
-  bool is_part(const Simplex& triangle, const Polygon& polygon) const {
-    std::vector<Point> points = coordinates(complex_.points, polygon.triangles.front());
-    const std::vector<Point> corners = coordinates(mesh_.points, triangle);
-    points.insert(points.end(), corners.begin(), corners.end());
-    if (affine_hull(points).dimension != 2) return false;
-    Rational area = 0;
-    for (const Simplex& own : polygon.triangles) {
-      area += common_area(polygon.axes, corners, coordinates(complex_.points, own));
+  // Does a vertex of the mesh lie in a cell of P of this dimension?
+  bool lies_in_cell_of(int dimension, Vertex v) const {
+    for (const LinearCell cell : linear_cells(complex_)) {
+      if (cell.dimension != dimension) continue;
+      for (const Simplex& own : simplices_of(complex_, cell)) {
+        if (!intersection(coordinates(complex_.points, own), {mesh_.points[v]}).empty())
+          return true;
+      }
     }
-    return area == measure(mesh_.points, polygon.axes, {triangle});
+    return false;
+  }
+  // Has the edge or triangle as much in common with a cell as with itself?
+  bool is_part(const Simplex& simplex, const std::vector<Simplex>& cell, const Axes& axes) const {
+    const std::vector<Point> corners = coordinates(mesh_.points, simplex);
+    std::vector<Point> all = coordinates(complex_.points, cell.front());
+    all.insert(all.end(), corners.begin(), corners.end());
+    if (affine_hull(all).dimension != static_cast<int>(axes.size())) return false;
+    Rational common = 0;
+    for (const Simplex& own : cell) {
+      common += common_measure(axes, corners, coordinates(complex_.points, own));
+    }
+    return common == measure(mesh_.points, axes, {simplex});
   }
 
   // The vertex of the mesh that is nearest to a point; or to a segment, without lying on it. It
@@ -284,12 +277,9 @@ class Judging {
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
       if (!is_used(v)) continue;
       const Point& p = mesh_.points[v];
-      const Point along = cell.back() - cell.front();
       const bool is_point = cell.size() == 1;
-      Rational t = 0;
-      if (!is_point) t = inner_product(p - cell.front(), along) / squared_length(along);
-      t = std::clamp(t, Rational(0), Rational(1));
-      const Rational squared = squared_distance(p, cell.front() + t * along);
+      const Rational squared = is_point ? squared_distance(p, cell[0])
+                                        : squared_distance_to_segment(p, cell[0], cell[1]);
       if (!is_point && squared == 0) continue;
       if (!nearest || squared < nearest->squared_distance) nearest = {v, squared};
     }
@@ -303,7 +293,8 @@ class Judging {
   Axes axes_;
   std::vector<Simplex> listed_;  // the simplices and the faces beside
   std::vector<Vertex> in_mesh_;  // the point of the mesh that each vertex of P is, or −1
-  std::vector<std::vector<Simplex>> edges_in_, triangles_in_;  // by segment, by polygon
+  // The edges and triangles in each segment and polygon of P.
+  std::map<LinearCell, std::vector<Simplex>> parts_;
 };
 
 }  // namespace

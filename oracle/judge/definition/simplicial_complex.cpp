@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -93,20 +92,6 @@ bool judge_every_two(const PointSet& points, const std::vector<Simplex>& simplic
     }
   }
   return proper;
-}
-
-std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t size) {
-  std::set<Simplex> faces;
-  for (const Simplex& simplex : simplices) {
-    if (simplex.size() < size) continue;
-    Simplex places = first_subset(size);
-    do {
-      Simplex face;
-      for (const Vertex place : places) face.push_back(simplex[static_cast<std::size_t>(place)]);
-      faces.insert(sorted(face));
-    } while (next_subset(places, simplex.size()));
-  }
-  return {faces.begin(), faces.end()};
 }
 
 }  // namespace circumspect::definition

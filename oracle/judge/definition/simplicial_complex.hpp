@@ -22,7 +22,4 @@ bool judge_each_face(const ExactMesh& mesh, std::size_t most, Verdict& verdict);
 bool judge_every_two(const PointSet& points, const std::vector<Simplex>& simplices,
                      Verdict& verdict);
 
-// All faces of `size` vertices of some simplices: each once, ascending.
-std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t size);
-
 }  // namespace circumspect::definition

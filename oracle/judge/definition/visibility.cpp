@@ -23,31 +23,22 @@ Condition not_negative(Function f) {
   return {std::move(f), false};
 }
 
-// Is there a λ with all λ_j > 0 that meets the conditions? Asked is for the largest ε with λ_j ≥ ε
-// and Σ λ_j f_j ≤ −ε where it is strict. Unknown are λ_j − ε, ε, and what each condition leaves.
-bool can_be_met(std::size_t vertices, const std::vector<Condition>& conditions) {
-  const std::size_t unknowns = vertices + 1 + conditions.size();
-  LinearProgram program;
-  program.objective.assign(unknowns, 0);
-  program.objective[vertices] = 1;
-  std::vector<Rational> sum(unknowns, 0);
-  std::fill_n(sum.begin(), vertices, Rational(1));
-  sum[vertices] = static_cast<long>(vertices);
-  program.equations.push_back(sum);
-  program.right_sides.emplace_back(1);
+// Is there a λ with all λ_j > 0 that meets the conditions? What each leaves is an unknown as well:
+// positive where it is strict.
+bool can_be_met(std::size_t vertices, std::vector<Condition> conditions) {
+  const auto weak = std::stable_partition(conditions.begin(), conditions.end(),
+                                          [](const Condition& one) { return one.is_strict; });
+  const std::size_t unknowns = vertices + conditions.size();
+  RationalMatrix rows(1 + conditions.size(), std::vector<Rational>(unknowns, 0));
+  std::vector<Rational> right(rows.size(), 0);
+  std::fill_n(rows[0].begin(), vertices, Rational(1));
+  right[0] = 1;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    std::vector<Rational> row(unknowns, 0);
-    row[vertices] = conditions[i].is_strict ? 1 : 0;
-    for (std::size_t j = 0; j < vertices; ++j) {
-      row[j] = conditions[i].f[j];
-      row[vertices] += conditions[i].f[j];
-    }
-    row[vertices + 1 + i] = 1;
-    program.equations.push_back(row);
-    program.right_sides.emplace_back(0);
+    std::copy(conditions[i].f.begin(), conditions[i].f.end(), rows[1 + i].begin());
+    rows[1 + i][vertices + i] = 1;
   }
-  const LinearProgramAnswer answer = maximize(program);
-  return answer.status == LinearProgramStatus::kOptimal && sign(answer.value) > 0;
+  const auto strict = static_cast<std::size_t>(weak - conditions.begin());
+  return is_solvable(std::move(rows), std::move(right), vertices + strict);
 }
 
 // The shadow of a cell: where none of these functions is negative.

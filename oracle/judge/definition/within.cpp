@@ -42,17 +42,20 @@ std::optional<Rational> squared_distance_inside(const Points& a, const Points& b
 // The squared distance of two simplices: the least of two faces, one of each, that have such a
 // pair. The nearest points of all have, for the least faces that hold any.
 Rational squared_distance_between(const Points& a, const Points& b) {
-  std::optional<Rational> least;
-  for (std::size_t bits = 0; bits < (std::size_t{1} << (a.size() + b.size())); ++bits) {
-    Points of_a, of_b;
-    for (std::size_t i = 0; i < a.size() + b.size(); ++i) {
-      if ((bits >> i) % 2 == 0) continue;
-      if (i < a.size()) of_a.push_back(a[i]);
-      if (i >= a.size()) of_b.push_back(b[i - a.size()]);
+  const auto faces_at = [](const Points& corners) {
+    std::vector<Points> found;
+    for (const Simplex& places : faces(first_subset(corners.size()))) {
+      found.emplace_back();
+      for (const Vertex i : places) found.back().push_back(corners[static_cast<std::size_t>(i)]);
     }
-    if (of_a.empty() || of_b.empty()) continue;
-    const auto squared = squared_distance_inside(of_a, of_b);
-    if (squared && (!least || *squared < *least)) least = squared;
+    return found;
+  };
+  std::optional<Rational> least;
+  for (const Points& of_a : faces_at(a)) {
+    for (const Points& of_b : faces_at(b)) {
+      const auto squared = squared_distance_inside(of_a, of_b);
+      if (squared && (!least || *squared < *least)) least = squared;
+    }
   }
   return *least;
 }
@@ -133,12 +136,10 @@ class Reaches {
   }
 
   std::vector<Points> simplices_of(LinearCell cell) const {
-    const PiecewiseLinearComplex& complex = moved_.complex;
-    std::vector<Simplex> simplices = {vertices_in(complex, cell)};
-    if (cell.dimension == 2) simplices = complex.polygons[cell.place].triangles;
     std::vector<Points> corners;
-    for (const Simplex& simplex : simplices)
-      corners.push_back(coordinates(complex.points, simplex));
+    for (const Simplex& simplex : circumspect::simplices_of(moved_.complex, cell)) {
+      corners.push_back(coordinates(moved_.complex.points, simplex));
+    }
     return corners;
   }
   static Rational distance(const std::vector<Points>& a, const std::vector<Points>& b) {

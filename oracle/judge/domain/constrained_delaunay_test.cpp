@@ -4,6 +4,7 @@
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/domain/empty_circumball.hpp"
+#include "oracle/judge/domain/vertex_index.hpp"
 
 namespace circumspect::check {
 

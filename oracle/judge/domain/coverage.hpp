@@ -1,38 +1,24 @@
-// Do the simplices cover the inside of a domain once, and nothing else? If a facet of one simplex lies in no wall, why
-// is there no simplex beyond it?
+// Do the simplices cover the inside of a domain once, and nothing else?
 #pragma once
 
 #include <vector>
 
 #include "oracle/judge/domain/meshed_domain.hpp"
-#include "oracle/judge/domain/outside_simplices.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
-// ---- Coverage ----
-
 // All require matched facets, and pieces that tile the walls, in order of their vertices.
 
-// Of an enclosed domain: a simplex on each side of each piece that is inside, none on the others; and
-// every facet of one simplex is a piece. domain.uncovered; domain.outside for each simplex that is;
-// complex.overlap where a vertex hangs in a facet.
+// Of an enclosed domain: a simplex on each side of each piece that is inside, none on the others;
+// and every facet of one simplex is a piece. domain.uncovered; domain.outside for each simplex that
+// is; complex.overlap where a vertex hangs in a facet.
 void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces, Verdict& verdict);
 
 // Of a convex hull of full dimension: the simplices are a triangulation of it (triangulation.…), no
-// Steiner point makes it larger (domain.outside for each simplex that has one that does), and every piece is a facet of them
-// (domain.uncovered).
+// Steiner point makes it larger (domain.outside for each simplex that has one that does), and every
+// piece is a facet of them (domain.uncovered).
 void judge_hull_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                          Verdict& verdict);
-
-// ---- Loose facets ----
-// Facets of one simplex that lie in no wall: why is nothing beyond them?
-
-// domain.outside: the simplex or the facet is. complex.overlap: vertices of other simplices hang in
-// the facet, off its own vertices; the smaller facets in it that lead up to them, whose simplices are
-// on its other side, are then no fault of their own. domain.uncovered: anything else.
-// At least one violation if there is a loose facet. Requires: matched facets.
-void judge_loose_facets(const MeshedDomain& in, const std::vector<FacetUse>& loose,
-                        OutsideSimplices& outside, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -23,8 +23,8 @@
 namespace circumspect::check {
 
 // ---- Verdict text ----
-// All that a verdict says, as text, so that two can be compared in a test. What people read is made of
-// the same.
+// All that a verdict says, as text, so that two can be compared in a test. What people read is made
+// of the same.
 
 inline void write_vertices(std::ostream& out, const Simplex& simplex) {
   for (const Vertex v : simplex) out << " " << v;
@@ -92,8 +92,8 @@ inline std::string text_of(const Verdict& verdict) {
 }
 
 // ---- Exact facts ----
-// What is known of the simplices of a mesh, by exact numbers and by looking at everything: what a faster
-// judge has to find, for tests.
+// What is known of the simplices of a mesh, by exact numbers and by looking at everything: what a
+// faster judge has to find, for tests.
 
 inline bool fills_hull(const ExactMesh& mesh) {
   Verdict verdict(Claim::kTriangulation, mesh, 1);
@@ -225,8 +225,8 @@ inline ExactMesh grid(const std::vector<int>& xs, const std::vector<int>& ys,
 }
 inline bool every_cell(std::size_t, std::size_t, std::size_t) { return true; }
 
-// The grid of eight unit cubes without a tetrahedron at its centre, (1, 1, 1), that has no facet in a
-// face of the whole; one of its facets has no vertex off these.
+// The grid of eight unit cubes without a tetrahedron at its centre, (1, 1, 1), that has no facet in
+// a face of the whole; one of its facets has no vertex off these.
 inline ExactMesh eight_cubes_with_a_gap() {
   ExactMesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
   const std::vector<Point> gap = {{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {2, 1, 1}};

@@ -1,8 +1,6 @@
 #include "oracle/judge/domain/empty_circumball.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -10,69 +8,6 @@
 #include "kernel/exact/point.hpp"
 
 namespace circumspect::check {
-
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::vector<Box> boxes_of(const PointSet& points) {
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const Point& point : points.points()) boxes.push_back(box_around(point));
-  return boxes;
-}
-
-std::array<double, 3> first_three(const std::array<double, 9>& sides) {
-  return {sides[0], sides[1], sides[2]};
-}
-
-// A box around the ball along the axes; its edges are not cut off. Every operation on doubles is
-// followed by one step outward, more than it can have rounded inward.
-Box box_of_ball(const Ball& ball) {
-  Box box = box_around(ball.centre);
-  const double radius = std::nextafter(std::sqrt(upper_double(ball.squared_radius)), kInfinity);
-  for (std::size_t i = 0; i < box.low.size(); ++i) {
-    const bool along_axis = i < ball.centre.size() && std::isfinite(radius);
-    box.low[i] = along_axis ? std::nextafter(box.low[i] - radius, -kInfinity) : -kInfinity;
-    box.high[i] = along_axis ? std::nextafter(box.high[i] + radius, kInfinity) : kInfinity;
-  }
-  return box;
-}
-
-}  // namespace
-
-VertexIndex::VertexIndex(const PointSet& points) : VertexIndex(boxes_of(points)) {}
-
-VertexIndex::VertexIndex(const std::vector<Box>& boxes) : index_(boxes) {
-  for (const Box& box : boxes) {
-    low_.push_back(first_three(box.low));
-    high_.push_back(first_three(box.high));
-  }
-}
-
-// A vertex and the centre are at least the gap between their boxes apart, on each axis. A gap, its square
-// and the two sums are rounded, each by at most a part 2⁻⁵³ of it or 2⁻¹⁰⁷⁵: the sum of squares is too large
-// by at most a part 6 · 2⁻⁵³ and 8 · 2⁻¹⁰⁷⁵. What is beyond `far` is therefore outside, if nothing overflowed.
-std::vector<Vertex> VertexIndex::near(const Ball& ball) const {
-  const Box centre = box_around(ball.centre);
-  const double far = upper_double(ball.squared_radius) * (1 + 0x1p-49) + 0x1p-1060;
-  const auto is_beyond = [&](std::size_t place) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double gap =
-          std::max({0.0, low_[place][i] - centre.high[i], centre.low[i] - high_[place][i]});
-      sum += gap * gap;
-    }
-    return sum > far && std::isfinite(sum);
-  };
-  std::vector<Vertex> vertices;
-  for (const std::size_t place : index_.meeting(box_of_ball(ball))) {
-    if (!is_beyond(place)) vertices.push_back(static_cast<Vertex>(place));
-  }
-  return vertices;
-}
-
-// ---- Empty circumball ----
 
 namespace {
 

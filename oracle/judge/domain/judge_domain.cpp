@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "oracle/judge/definition/judge.hpp"
+#include "oracle/judge/domain/conforming_delaunay.hpp"
 #include "oracle/judge/domain/constrained_delaunay.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
 

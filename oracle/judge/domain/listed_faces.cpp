@@ -6,68 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
-
-namespace {
-
-// The points of the mesh that are in walls, or vertices of facets that are of interest for themselves.
-std::vector<bool> vertices_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
-                                       const VertexPlaces& places,
-                                       const fast::SimplexFacts& known) {
-  std::vector<bool> of_interest(mesh.points.size(), false);
-  const auto add = [&](const Simplex& vertices) {
-    for (const Vertex v : vertices) of_interest[VertexPlaces::place(v)] = true;
-  };
-  const auto add_from_domain = [&](const Simplex& vertices) {
-    for (const Vertex v : vertices) add({places.in_mesh[VertexPlaces::place(v)]});
-  };
-  const bool in_plane = complex.ambient_dimension() == 2;
-  if (in_plane) std::for_each(complex.segments.begin(), complex.segments.end(), add_from_domain);
-  for (const Polygon& polygon : complex.polygons) add_from_domain(polygon.vertices);
-  for (Vertex v = 0; mesh.points.names(v); ++v) {
-    const std::size_t place = VertexPlaces::place(v);
-    if (places.segment[place] != kNowhere || places.polygon[place] != kNowhere) add({v});
-  }
-  for (const Simplex& face : mesh.faces) {
-    if (face.size() == complex.ambient_dimension()) add(face);
-  }
-  for (const fast::FacetId facet : known.boundary) add(vertices_of(mesh, facet));
-  for (const fast::FacetId facet : known.not_local) add(vertices_of(mesh, facet));
-  return of_interest;
-}
-
-}  // namespace
-
-Simplex vertices_of(const ExactMesh& mesh, fast::FacetId facet) {
-  return sorted(facet_opposite(mesh.simplices[facet.simplex()], facet.place()));
-}
-
-std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
-                                       const VertexPlaces& places,
-                                       const fast::SimplexFacts& known) {
-  const std::vector<bool> of_interest = vertices_of_interest(mesh, complex, places, known);
-  std::vector<FacetUse> uses;
-  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
-    const Simplex& simplex = mesh.simplices[s];
-    const auto others = std::count_if(simplex.begin(), simplex.end(), [&](Vertex v) {
-      return !of_interest[VertexPlaces::place(v)];
-    });
-    if (others > 1) continue;
-    for (std::size_t place = 0; place < simplex.size(); ++place) {
-      if (others == 1 && of_interest[VertexPlaces::place(simplex[place])]) continue;
-      uses.push_back({sorted(facet_opposite(simplex, place)), s, place});
-    }
-  }
-  std::stable_sort(uses.begin(), uses.end(),
-                   [](const FacetUse& a, const FacetUse& b) { return a.facet < b.facet; });
-  return uses;
-}
-
-// ---- Listed faces ----
 
 namespace {
 
@@ -107,8 +50,8 @@ bool judge_face(const ExactMesh& mesh, const Simplex& face, std::size_t ambient_
   return true;
 }
 
-// Edges to be found among those of many simplices. They are ascending, so that those with one first end
-// are beside each other; most vertices have none.
+// Edges to be found among those of many simplices. They are ascending, so that those with one first
+// end are beside each other; most vertices have none.
 class SoughtEdges {
  public:
   // Requires: ascending, each with its ends ascending, of `vertices` vertices.
@@ -147,15 +90,15 @@ class SoughtEdges {
   std::vector<bool> found_;
 };
 
-// What listed faces may run into: the simplices, and the pieces of walls. Seldom wanted, so that what
-// finds them is made when it is.
+// What listed faces may run into: the simplices, and the pieces of walls. Seldom wanted, so that
+// what finds them is made when it is.
 class Obstacles {
  public:
   Obstacles(const MeshedDomain& in, const std::vector<WallPiece>& pieces)
       : in_(in), pieces_(pieces) {}
 
-  // The first one that meets a face in more than a common face, and the face itself before it; with a
-  // point of both. The face and its barycentre alone if there is none.
+  // The first one that meets a face in more than a common face, and the face itself before it; with
+  // a point of both. The face and its barycentre alone if there is none.
   Witness witness(const Simplex& face) {
     const Box box = box_of(face);
     for (const Simplex& simplex : in_.mesh.simplices) {
@@ -169,12 +112,8 @@ class Obstacles {
 
  private:
   Box box_of(const Simplex& simplex) {
-    if (boxes_.empty()) {
-      for (const Point& point : in_.mesh.points.points()) boxes_.push_back(box_around(point));
-    }
-    Box box = boxes_[VertexPlaces::place(simplex.front())];
-    for (const Vertex v : simplex) box = box_around(box, boxes_[VertexPlaces::place(v)]);
-    return box;
+    if (!boxes_) boxes_.emplace(in_.mesh.points);
+    return boxes_->of(simplex);
   }
 
   std::optional<Witness> meeting(const Simplex& face, const Box& box, const Simplex& other) {
@@ -186,7 +125,7 @@ class Obstacles {
 
   const MeshedDomain& in_;
   const std::vector<WallPiece>& pieces_;
-  std::vector<Box> boxes_;  // of points
+  std::optional<CellBoxes> boxes_;
 };
 
 void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles,

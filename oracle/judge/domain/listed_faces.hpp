@@ -1,40 +1,23 @@
-// The facets of a mesh that matter for a domain, and the triangles and edges that a program lists beside its
-// simplices.
+// The triangles and edges that a program lists beside its simplices.
 #pragma once
 
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
 #include "oracle/judge/domain/meshed_domain.hpp"
-#include "oracle/judge/domain/vertex_places.hpp"
-#include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
-
-// ---- Facets of interest ----
-// Which facets of a mesh there is something to say of, where much is known of its simplices.
-
-// The vertices of a facet, ascending.
-Simplex vertices_of(const ExactMesh& mesh, fast::FacetId facet);
-
-// Some of facet_uses(mesh.simplices), in their order; of a facet all uses or none. Left out are only
-// facets of two simplices that are not known to be not locally Delaunay, are not listed beside the
-// simplices, and have a vertex that is in no wall: so they are in no wall either.
-// Requires: Steiner points are located.
-std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
-                                       const VertexPlaces& places, const fast::SimplexFacts& known);
-
-// ---- Listed faces ----
 
 // triangulation.unknown-vertex, simplex.wrong-dimension (triangles and edges in space, edges in the
 // plane), simplex.repeated-vertex, simplex.degenerate. True if all can be worked with.
 bool judge_listed_faces(const ExactMesh& mesh, std::size_t ambient_dimension, Verdict& verdict);
 
-// Every listed face must be a face of a simplex, a piece of a wall, an edge of such a piece or a link
-// of a segment; others are domain.outside where there is no domain, else complex.overlap: where
-// there is, space is filled with simplices whose face they are not. Such a simplex is named, if there is one,
-// with a point of both. Counts those that rightly are faces of no simplex: Verdict::dangling.
+// Every listed face must be a face of a simplex, a piece of a wall, an edge of such a piece or a
+// link of a segment; others are domain.outside where there is no domain, else complex.overlap:
+// where there is, space is filled with simplices whose face they are not. Such a simplex is named,
+// if there is one, with a point of both. Counts those that rightly are faces of no simplex:
+// Verdict::dangling.
 // `pieces` ascending.
 void judge_stray_faces(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                        Verdict& verdict);

@@ -1,60 +1,18 @@
-// A mesh together with its domain, and facts about both, such as the segments as chains of mesh vertices.
+// A mesh together with its domain, and facts about both.
 #pragma once
 
 #include <array>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
+#include "oracle/judge/domain/segment_chains.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/domain/vertex_search.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::check {
-
-// ---- Segment chains ----
-
-// For each segment its ends and the vertices of the mesh inside it, in order from its first end to
-// its second. Links are pairs of consecutive ones.
-class SegmentChains {
- public:
-  // Requires: places are complete, Steiner points located.
-  SegmentChains(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
-                const VertexPlaces& places);
-
-  std::size_t size() const { return chains_.size(); }
-  const std::vector<Vertex>& chain(std::size_t segment) const { return chains_[segment]; }
-
-  // The segment that holds two vertices, and their places in its chain; nothing if none does.
-  struct Stretch {
-    std::size_t segment;
-    std::size_t first;  // the smaller place
-    std::size_t last;
-    bool is_link() const { return last == first + 1; }
-  };
-  std::optional<Stretch> stretch(Vertex a, Vertex b) const;
-  // Is it two consecutive vertices of a chain?
-  bool is_link(Vertex a, Vertex b) const;
-  // Is the vertex on any segment?
-  bool touches(Vertex v) const { return touches_[VertexPlaces::place(v)]; }
-
- private:
-  std::size_t place_on(std::size_t segment, Vertex v) const;
-  // The segment of the domain with these ends, u < v, or kNowhere.
-  std::size_t segment_between(Vertex u, Vertex v) const;
-
-  const PiecewiseLinearComplex& complex_;
-  const VertexPlaces& places_;
-  std::vector<std::vector<Vertex>> chains_;
-  // For each vertex of the domain where those segments begin in the list of which it is the first end.
-  std::vector<std::ptrdiff_t> from_;
-  std::vector<std::size_t> place_in_chain_;  // of Steiner points
-  std::vector<bool> touches_;
-};
-
-// ---- Meshed domain ----
 
 struct MeshedDomain {
   const ExactMesh& mesh;
@@ -62,7 +20,7 @@ struct MeshedDomain {
   const Regions& regions;
   const std::vector<FacetUse>&
       uses;                         // of the mesh's simplices: of all, or where there is something
-  const fast::SimplexFacts* known;  // known of them, of those in listed_faces.hpp
+  const fast::SimplexFacts* known;  // known of them, of those in facets_of_interest.hpp
   const VertexPlaces& places;
   const SegmentChains& chains;
   VertexSearch& search;
@@ -72,8 +30,8 @@ struct MeshedDomain {
   Vertex in_mesh(Vertex v) const { return places.in_mesh[VertexPlaces::place(v)]; }
 };
 
-// A facet of the mesh, or a listed simplex of as many vertices, that lies in a wall of the domain: in
-// a polygon, or in the plane in a segment.
+// A facet of the mesh, or a listed simplex of as many vertices, that lies in a wall of the domain:
+// in a polygon, or in the plane in a segment.
 struct WallPiece {
   Simplex facet;     // ascending
   std::size_t cell;  // which polygon, or segment

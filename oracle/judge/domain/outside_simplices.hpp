@@ -17,8 +17,8 @@ class OutsideSimplices {
   // `witness`: what shows it, without the simplex.
   void add(std::size_t simplex, Witness witness, Verdict& verdict);
 
-  // Those from which no wall separates the ones that were added. Requires: matched facets, and the pieces of all walls
-  // in order of their vertices.
+  // Those from which no wall separates the ones that were added. Requires: matched facets, and the
+  // pieces of all walls in order of their vertices.
   void add_those_beside(const std::vector<WallPiece>& pieces, Verdict& verdict);
 
  private:

@@ -2,8 +2,12 @@
 #include <algorithm>
 
 #include "oracle/judge/domain/coverage.hpp"
+#include "oracle/judge/domain/facets_of_interest.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
+#include "oracle/judge/domain/polygon_tiling.hpp"
+#include "oracle/judge/domain/segments.hpp"
+#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 

@@ -1,10 +1,11 @@
+#include "oracle/judge/domain/polygon_tiling.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
-#include "oracle/judge/domain/plc_triangulation.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -31,8 +32,8 @@ std::vector<std::vector<std::size_t>> polygons_at_vertices(const MeshedDomain& i
   return at_vertex;
 }
 
-// For each polygon the facets and listed triangles with all vertices in it, ascending, each once. Of
-// these some may span a hole or a notch of it.
+// For each polygon the facets and listed triangles with all vertices in it, ascending, each once.
+// Of these some may span a hole or a notch of it.
 std::vector<std::vector<Simplex>> triangles_at_polygons(const MeshedDomain& in) {
   const auto at_vertex = polygons_at_vertices(in);
   std::vector<std::vector<Simplex>> candidates(in.complex.polygons.size());
@@ -259,8 +260,8 @@ class Tiling {
   std::vector<std::size_t> reached_;
 };
 
-// A polygon that is one triangle whose edges are edges of the mesh, with no other triangle of the mesh
-// near it: then it is this one, and nothing has to be tiled.
+// A polygon that is one triangle whose edges are edges of the mesh, with no other triangle of the
+// mesh near it: then it is this one, and nothing has to be tiled.
 std::optional<WallPiece> whole_triangle(const MeshedDomain& in, std::size_t p,
                                         const std::vector<Simplex>& candidates) {
   const Polygon& polygon = in.complex.polygons[p];

@@ -1,15 +1,17 @@
-// What is known of the simplices is taken at its word, and nothing else is: each list decides what it is
-// about. That verdicts are the same with right lists: `verdict_by_lemma`, in every test of this folder.
+// What is known of the simplices is taken at its word, and nothing else is: each list decides what
+// it is about. That verdicts are the same with right lists: `verdict_by_lemma`, in every test of
+// this folder.
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
-#include "oracle/judge/domain/listed_faces.hpp"
+#include "oracle/judge/domain/facets_of_interest.hpp"
 
 namespace circumspect::check {
 namespace {
 
-// Two flat tetrahedra on both sides of the triangle 0 1 2, each with the apex of the other in its ball.
+// Two flat tetrahedra on both sides of the triangle 0 1 2, each with the apex of the other in its
+// ball.
 // The triangle is a wall of the domain or not.
 Domain bipyramid(bool with_wall) {
   PiecewiseLinearInput input;

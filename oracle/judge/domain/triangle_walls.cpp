@@ -79,8 +79,9 @@ Polygon polygon_of(const Corners& corners, fast::PlaneAxes axes) {
   return {{a, b, c}, {{a, b}, {a, c}, {b, c}}, {}, {axes.x, axes.y}, {{a, b, c}}};
 }
 
-// The complex of an input, if its polygons are triangles of doubles that meet properly, and it has nothing else but
-// hole seeds. Then it is a simplicial complex, so that nothing is wrong and no polygon adopts anything.
+// The complex of an input, if its polygons are triangles of doubles that meet properly, and it has
+// nothing else but hole seeds. Then it is a simplicial complex, so that nothing is wrong and no
+// polygon adopts anything.
 std::optional<PiecewiseLinearComplex> complex_of_triangles(const PiecewiseLinearInput& input) {
   if (input.polygons.empty() || input.points.empty() || input.points.front().size() != 3) {
     return std::nullopt;
@@ -183,8 +184,9 @@ class FacetsAtWalls {
   FacetsAtWalls(const fast::MeshView<3, Index>& mesh, const Domain& domain)
       : mesh_(mesh), complex_(domain.complex), regions_(domain.regions()) {}
 
-  // Is the mesh a triangulation of the domain with a facet for every wall? `known` is right, each of its
-  // facets of one simplex has to be one of these, and each listed face has to be one or an edge of one.
+  // Is the mesh a triangulation of the domain with a facet for every wall? `known` is right, each
+  // of its facets of one simplex has to be one of these, and each listed face has to be one or an
+  // edge of one.
   bool fill(const fast::SimplexFacts& known, const std::vector<Simplex>& faces) {
     const std::vector<Simplex>& walls = regions_.walls().simplices();
     if (walls.empty() || !match_vertices()) return false;
@@ -270,8 +272,8 @@ class FacetsAtWalls {
     return vertices ? place_of.find(*vertices) : std::nullopt;
   }
 
-  // Does each wall have a simplex on every side that is inside, there is one, and none on the other? Is every
-  // point a vertex of a simplex?
+  // Does each wall have a simplex on every side that is inside, there is one, and none on the
+  // other? Is every point a vertex of a simplex?
   bool see_simplices() {
     std::vector<std::array<bool, 2>> covered(regions_.walls().size());  // behind, in front
     std::vector<bool> used(mesh_.points(), false);

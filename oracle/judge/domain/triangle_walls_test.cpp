@@ -1,4 +1,5 @@
-// What is seen on doubles of domains of triangles and of their meshes is what the exact checkers say.
+// What is seen on doubles of domains of triangles and of their meshes is what the exact checkers
+// say.
 #include "oracle/judge/domain/triangle_walls.hpp"
 
 #include <random>
@@ -12,8 +13,8 @@
 namespace circumspect::check {
 namespace {
 
-// A few triangles with corners on a grid of two cells along each axis: a shape in which almost everything is
-// degenerate. `aslant` moves it off the grid, and keeps what lies in one plane there.
+// A few triangles with corners on a grid of two cells along each axis: a shape in which almost
+// everything is degenerate. `aslant` moves it off the grid, and keeps what lies in one plane there.
 PiecewiseLinearInput triangles_on_grid(std::mt19937& random, std::size_t count, bool aslant) {
   std::map<std::array<int, 3>, Vertex> vertex_at;
   PiecewiseLinearInput input;
@@ -256,7 +257,8 @@ TEST_CASE("what is wrong is left to the exact checkers") {
   CHECK(is_seen(claim, moved, surface(mesh)));
   CHECK(!is_seen(Claim::kSteinerCdt, moved, surface(mesh)));
   CHECK(!is_seen(Claim::kConformingDelaunay, moved, surface(mesh)));
-  // Two tetrahedra that share an edge: a ball at the boundary reaches beyond it, to a vertex or not.
+  // Two tetrahedra that share an edge: a ball at the boundary reaches beyond it, to a vertex or
+  // not.
   for (const int height : {2, 9}) {
     PiecewiseLinearInput two;
     two.points = {{0, 0, 0}, {0, 4, 0}, {4, 2, 1}, {4, 2, -1}, {-4, 2, height}, {-4, 2, -1}};

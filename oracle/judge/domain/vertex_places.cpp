@@ -3,154 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "kernel/boxes/box_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/measures.hpp"
 
 namespace circumspect::check {
-
-namespace {
-
-// A long segment that runs aslant has a box that holds much of the mesh, its pieces have not.
-constexpr int kPieces = 32;
-// The first radius is this many doublings below the last.
-constexpr int kDoublings = 24;
-constexpr int kDoublingsAtOnce = 2;
-
-Rational power_of_two(int exponent) {
-  Rational power = 1;
-  for (int i = 0; i < exponent; ++i) power *= 2;
-  return power;
-}
-
-Rational product(const Point& a, const Point& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-// A box around all points no further along any axis than `radius` from a point.
-Box box_of_radius(const Point& centre, const Rational& radius) {
-  Box box = box_around(centre);
-  for (std::size_t corner = 0; corner < std::size_t{1} << centre.size(); ++corner) {
-    Point at = centre;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      at[i] += (corner >> i) % 2 == 0 ? radius : Rational(-radius);
-    }
-    box = box_around(box, box_around(at));
-  }
-  return box;
-}
-
-}  // namespace
-
-// A point, or a segment in pieces.
-struct VertexSearch::Target {
-  std::vector<Point> points;
-  bool is_point() const { return points.size() == 1; }
-
-  Rational squared_distance_to(const Point& p) const {
-    const Point& a = points.front();
-    if (is_point()) return squared_distance(a, p);
-    const Point along = points.back() - a;
-    const Rational t = product(p - a, along) / squared_length(along);
-    if (t <= 0) return squared_distance(a, p);
-    if (t >= 1) return squared_distance(points.back(), p);
-    Point foot = a;
-    for (std::size_t i = 0; i < foot.size(); ++i) foot[i] += t * along[i];
-    return squared_distance(foot, p);
-  }
-
-  // Boxes that hold every point within a distance of it.
-  std::vector<Box> boxes_around(const Rational& radius) const {
-    std::vector<Box> ends;
-    for (const Point& point : points) ends.push_back(box_of_radius(point, radius));
-    if (is_point()) return ends;
-    std::vector<Box> pieces;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      pieces.push_back(box_around(ends[i], ends[i + 1]));
-    }
-    return pieces;
-  }
-};
-
-std::optional<NearestVertex> VertexSearch::to_point(const Point& point) {
-  return nearest_to({{point}});
-}
-
-std::optional<NearestVertex> VertexSearch::to_segment(const Point& a, const Point& b) {
-  Target target{{a}};
-  for (int i = 1; i < kPieces; ++i) {
-    const Rational t = Rational(i) / kPieces;
-    Point at = a;
-    for (std::size_t axis = 0; axis < at.size(); ++axis) at[axis] += t * (b[axis] - a[axis]);
-    target.points.push_back(at);
-  }
-  target.points.push_back(b);
-  return nearest_to(target);
-}
-
-void VertexSearch::make_index() {
-  std::vector<Box> boxes;
-  for (Vertex v = 0; mesh_.points.names(v); ++v) {
-    if (!used_[static_cast<std::size_t>(v)]) continue;
-    const Point& point = mesh_.points[v];
-    if (indexed_.empty()) low_ = high_ = point;
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      low_[i] = std::min(low_[i], point[i]);
-      high_[i] = std::max(high_[i], point[i]);
-    }
-    boxes.push_back(box_around(point));
-    indexed_.push_back(v);
-  }
-  index_ = std::make_unique<const BoxIndex>(boxes);
-}
-
-// The vertex in some boxes that is nearest to the target, but not on it if that is a segment.
-std::optional<NearestVertex> VertexSearch::best_of(const Target& target,
-                                                   const std::vector<Box>& boxes) {
-  std::vector<std::size_t> places;
-  for (const Box& box : boxes) {
-    const std::vector<std::size_t> more = index_->meeting(box);
-    places.insert(places.end(), more.begin(), more.end());
-  }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::optional<NearestVertex> best;
-  for (const std::size_t place : places) {
-    if (++looked_at_ > kMostLookedAt) return std::nullopt;
-    const Vertex v = indexed_[place];
-    Rational squared = target.squared_distance_to(mesh_.points[v]);
-    if (squared == 0 && !target.is_point()) continue;
-    if (!best || squared < best->squared_distance) best = {v, std::move(squared)};
-  }
-  return best;
-}
-
-// In growing neighbourhoods: what is found within one's radius cannot be beaten outside it.
-std::optional<NearestVertex> VertexSearch::nearest_to(const Target& target) {
-  if (index_ == nullptr) make_index();
-  if (indexed_.empty()) return std::nullopt;
-  // No vertex is further than this from the target along any axis, nor twice this in all.
-  Rational furthest = 0;
-  for (const Point& end : {target.points.front(), target.points.back()}) {
-    for (std::size_t i = 0; i < end.size(); ++i) {
-      furthest = std::max({furthest, Rational(abs(Rational(end[i] - low_[i]))),
-                           Rational(abs(Rational(end[i] - high_[i])))});
-    }
-  }
-  Rational radius = 2 * furthest / power_of_two(kDoublings);
-  for (int doubled = 0; doubled <= kDoublings; doubled += kDoublingsAtOnce) {
-    const auto best = best_of(target, target.boxes_around(radius));
-    if (looked_at_ > kMostLookedAt) return std::nullopt;
-    if (best && best->squared_distance <= radius * radius) return best;
-    radius *= power_of_two(kDoublingsAtOnce);
-  }
-  return std::nullopt;
-}
-
-// ---- Vertex places ----
 
 namespace {
 
@@ -164,18 +22,6 @@ void mark_used(const std::vector<Simplex>& simplices, std::vector<bool>& used) {
   for (const Simplex& simplex : simplices) {
     for (const Vertex v : simplex) used[VertexPlaces::place(v)] = true;
   }
-}
-
-// Around each cell of which the corners are given.
-BoxIndex index_of(const std::vector<Box>& boxes_of_points, const std::vector<Simplex>& cells) {
-  std::vector<Box> boxes;
-  boxes.reserve(cells.size());
-  for (const Simplex& corners : cells) {
-    Box box = boxes_of_points[VertexPlaces::place(corners.front())];
-    for (const Vertex v : corners) box = box_around(box, boxes_of_points[VertexPlaces::place(v)]);
-    boxes.push_back(box);
-  }
-  return BoxIndex(boxes);
 }
 
 Simplex renumbered(Simplex simplex, const std::vector<Vertex>& number) {
@@ -228,20 +74,18 @@ VertexPlaces match_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex&
 
 void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places) {
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.points.size());
-  for (const Point& point : mesh.points.points()) boxes.push_back(box_around(point));
+  const CellBoxes boxes(mesh.points);
   std::vector<Simplex> segments;
   segments.reserve(complex.segments.size());
   for (const Simplex& segment : complex.segments) {
     segments.push_back(renumbered(segment, places.in_mesh));
   }
-  const BoxIndex segment_index = index_of(boxes, segments);
+  const BoxIndex segment_index = boxes.index_of(segments);
   const Triangles triangles = triangles_of(complex, places.in_mesh);
-  const BoxIndex index = index_of(boxes, triangles.corners);
+  const BoxIndex index = boxes.index_of(triangles.corners);
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     if (!places.is_steiner(v)) continue;
-    const Box& box = boxes[VertexPlaces::place(v)];
+    const Box& box = boxes.of_vertices()[VertexPlaces::place(v)];
     std::size_t& on_segment = places.segment[VertexPlaces::place(v)];
     for (const std::size_t s : segment_index.meeting(box)) {
       if (lies_inside_segment(mesh.points.configuration(), segments[s], v)) on_segment = s;

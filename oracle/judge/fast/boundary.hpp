@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
@@ -34,13 +35,15 @@ bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimensio
     return orientation_with<kDimension>(row, kApex, other[kFar], stages) *
            orientation<kDimension>(row, stages);
   };
-  const int side_of_b = side(a, b);
-  if (side_of_b < 0 || side(b, a) < 0) return false;
-  if (side_of_b > 0) return true;
-  // They are in one hyperplane. The hyperplane through the ridge and the simplex's vertex must
-  // separate the far vertices.
-  return orientation<kDimension>(a, stages) !=
-         orientation_with<kDimension>(a, kFar, b[kFar], stages);
+  // In one hyperplane, the hyperplane through the ridge and the simplex's vertex must separate the
+  // far vertices.
+  const auto are_folded = [&] {
+    return orientation<kDimension>(a, stages) ==
+           orientation_with<kDimension>(a, kFar, b[kFar], stages);
+  };
+  return conditions::at_ridge(
+             2, [&] { return side(a, b); }, [&] { return side(b, a); }, are_folded) ==
+         conditions::AtRidge::kGood;
 }
 
 // ---- Boundary ----
@@ -88,9 +91,8 @@ class Boundary {
     turns.reserve(facets.size() * kDimension);
     for (const FacetId facet : facets) {
       const std::size_t s = facet.simplex(), apex = facet.place();
-      if (orientation_with(row_of(s), apex, sample_, stages) * orientations_.of(s) <= 0) {
-        return Undecided::kBeyondHullFacet;
-      }
+      const int side = orientation_with(row_of(s), apex, sample_, stages) * orientations_.of(s);
+      if (!conditions::is_strictly_inside(side)) return Undecided::kBeyondHullFacet;
       list_turns(facet, turns);
     }
     finish(turns);

@@ -412,7 +412,7 @@ class FaultFinder {
           const int side =
               orientation_with(sites_of(facet.simplex()), facet.place(), sample, stages) *
               orientations_[facet.simplex()];
-          if (side <= 0) found.push_back(facet);
+          if (!conditions::is_strictly_inside(side)) found.push_back(facet);
         });
     if (!faults_.beyond.empty()) return;
     faults_.covering = list_of<std::size_t>(

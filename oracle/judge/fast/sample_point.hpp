@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/undecided.hpp"
@@ -53,10 +54,9 @@ bool covers(const SiteRow<kDimension>& row, int own, const SamplePoint<kDimensio
     }
     if (!any_below || !any_above) return false;
   }
-  for (std::size_t place = 0; place <= kDimension; ++place) {
-    if (orientation_with(row, place, point, stages) * own < 0) return false;
-  }
-  return true;
+  return conditions::covers(kDimension + 1, [&](std::size_t place) {
+    return orientation_with(row, place, point, stages) * own;
+  });
 }
 
 // The exact barycentre of this row, which is that of the simplex. Requires: not flat.

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/boxes/interval.hpp"
+#include "kernel/exact/triple.hpp"
 #include "oracle/judge/fast/box_tree.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
@@ -21,40 +23,7 @@ namespace circumspect::fast {
 
 namespace {
 
-// Two doubles, and a number between them or equal to one.
-struct Interval {
-  double low, high;
-};
-
-// A result rounded to nearest has a relative error of at most 2^-53, or an absolute error of at
-// most 2^-1075. Its bounds are moved outward by more than four times that, which the rounding of
-// the move itself cannot undo.
-Interval outward(double low, double high) {
-  return {low - (std::fabs(low) * 0x1p-51 + 0x1p-1060),
-          high + (std::fabs(high) * 0x1p-51 + 0x1p-1060)};
-}
-Interval operator+(Interval a, Interval b) { return outward(a.low + b.low, a.high + b.high); }
-Interval operator-(Interval a, Interval b) { return outward(a.low - b.high, a.high - b.low); }
-Interval operator*(Interval a, Interval b) {
-  const auto [low, high] =
-      std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return outward(low, high);
-}
-// Requires: 0 is not in b.
-Interval operator/(Interval a, Interval b) {
-  const auto [low, high] =
-      std::minmax({a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high});
-  return outward(low, high);
-}
-
-using IntervalPoint = std::array<Interval, 3>;
-
-Interval inner(const IntervalPoint& a, const IntervalPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-IntervalPoint cross(const IntervalPoint& a, const IntervalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using IntervalPoint = Triple<Interval>;
 
 // Bounds on the circumball of a tetrahedron.
 class BallInBounds {
@@ -66,15 +35,16 @@ class BallInBounds {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double a = row[i].at[axis], b = row[3].at[axis];
         if (!(std::fabs(a - b) <= kLargestScale)) return std::nullopt;
-        from_last[i][axis] = outward(a - b, a - b);
+        from_last[i][axis] = exactly(a) - exactly(b);
       }
     }
     const auto& [a, b, c] = from_last;
-    const IntervalPoint bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const Interval twice_volume = inner(a, bc) + inner(a, bc);
-    if (twice_volume.low <= 0 && twice_volume.high >= 0) return std::nullopt;
+    const IntervalPoint bc = cross_product(b, c), ca = cross_product(c, a),
+                        ab = cross_product(a, b);
+    const Interval twice_volume = inner_product(a, bc) + inner_product(a, bc);
+    if (certain_sign(twice_volume) == 0) return std::nullopt;
     // The centre x, as seen from the last vertex, has 2 a·x = |a|², and the same for b and c.
-    const Interval aa = inner(a, a), bb = inner(b, b), cc = inner(c, c);
+    const Interval aa = inner_product(a, a), bb = inner_product(b, b), cc = inner_product(c, c);
     IntervalPoint centre;
     BallInBounds ball;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -82,24 +52,15 @@ class BallInBounds {
       if (!std::isfinite(centre[axis].low) || !std::isfinite(centre[axis].high)) {
         return std::nullopt;
       }
-      const double last = row[3].at[axis];
-      ball.centre_[axis] = centre[axis] + Interval{last, last};
+      ball.centre_[axis] = centre[axis] + exactly(row[3].at[axis]);
     }
-    ball.far_ = inner(centre, centre).high * (1 + 0x1p-49) + 0x1p-1060;
+    ball.far_ = inner_product(centre, centre).high;
     return ball;
   }
 
-  // Is the whole box certainly outside? On each axis, its nearest point to the centre is at least
-  // the gap away. The gaps, their squares and the sums are too large by at most a relative 6 ·
-  // 2^-53 and an absolute 8 · 2^-1075.
+  // Is the whole box certainly outside?
   bool is_beyond(const AxisBox& box) const {
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double gap =
-          std::max({0.0, box.low[axis] - centre_[axis].high, centre_[axis].low - box.high[axis]});
-      sum += gap * gap;
-    }
-    return sum > far_ && std::isfinite(sum);
+    return least_squared_distance(box.low, box.high, centre_) > far_;
   }
 
  private:
@@ -166,7 +127,8 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
   // Facets with the same vertices have the same hash: a facet without a link is in no other
   // simplex, and one with a link in no third. So two simplices with the same vertices would be
   // linked at all their facets, and neither has a vertex off a facet that the other lacks.
-  const auto links = matched_facets(mesh, threads);
+  const auto links =
+      matched_facets(mesh, threads, wanted.pairs_suffice ? Proposal::kLikely : Proposal::kComplete);
   if (!links) return tl::unexpected(links.error());
   if (!links->overused.empty()) return tl::unexpected(Undecided::kFacetOverused);
   WholeSweep<kDimension, Index, std::int32_t> sweep(mesh, links->view(), threads);

@@ -40,6 +40,9 @@ struct Wanted {
   bool balls = false;
   bool hull = false;
   bool boundary_balls = false;
+  // May a facet of the boundary, or of a pair of simplices, be in others as well? Such facets are
+  // found more quickly, and docs/theory/complex.md shows that they do for complexes.
+  bool pairs_suffice = false;
 };
 
 // Undecided if the simplices are not as above; then nothing is known. Given neighbours and weights

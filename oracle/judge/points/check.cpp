@@ -6,10 +6,13 @@
 #include <stdexcept>
 
 #include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/convex_hull/judge_convex_hull.hpp"
 #include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/points/delaunay.hpp"
+#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
+#include "oracle/judge/surface/judge_surface.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -106,6 +109,11 @@ Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options)
     case Claim::kComplex:
       return judge_complex({mesh.points.points(), mesh.simplices}, options.complex,
                            options.by == By::kDefinition, options.max_violations);
+    case Claim::kConvexHull:
+      return judge_convex_hull(mesh, options.hull, options.oriented, options.by == By::kDefinition,
+                               options.max_violations);
+    case Claim::kSurfaceDelaunay:
+      return judge_surface(mesh, options.by == By::kDefinition, options.max_violations);
     default:
       break;
   }

@@ -7,6 +7,7 @@
 
 #include "kernel/boxes/point_search.hpp"
 #include "kernel/complex/point_set.hpp"
+#include "kernel/exact/triple.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/definition/delaunay.hpp"
@@ -16,22 +17,7 @@ namespace circumspect::check {
 
 namespace {
 
-using Arrow = std::array<Integer, 3>;
-
-Arrow cross(const Arrow& a, const Arrow& b) {
-  Arrow product;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    add_product(product[i], a[j], b[k]);
-    subtract_product(product[i], a[k], b[j]);
-  }
-  return product;
-}
-Integer dot(const Arrow& a, const Arrow& b) {
-  Integer sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) add_product(sum, a[i], b[i]);
-  return sum;
-}
+using Arrow = Triple<Integer>;
 
 // Is the depth of q in the ball of a tetrahedron, over the squared radius, at most some number? It
 // uses integers, so that no fraction needs to be reduced. This is for meshes with many faults, most
@@ -52,15 +38,15 @@ bool is_at_most_so_deep(const Configuration& points, const Simplex& simplex, Ver
   Arrow n;
   Integer volume;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Arrow normal = cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
-    const Integer length = dot(edges[i], edges[i]);
+    const Arrow normal = cross_product(edges[(i + 1) % 3], edges[(i + 2) % 3]);
+    const Integer length = inner_product(edges[i], edges[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) add_product(n[axis], length, normal[axis]);
-    if (i == 0) volume = dot(edges[0], normal);
+    if (i == 0) volume = inner_product(edges[0], normal);
   }
   const Arrow w = from_first(q);
-  Integer depth = dot(w, n);  // times the volume
-  subtract_product(depth, volume, dot(w, w));
-  return 4 * volume * depth * limit.get_den() <= limit.get_num() * dot(n, n);
+  Integer depth = inner_product(w, n);  // times the volume
+  subtract_product(depth, volume, inner_product(w, w));
+  return 4 * volume * depth * limit.get_den() <= limit.get_num() * inner_product(n, n);
 }
 
 // Would a witness be dropped, and has the rule already been broken at least as badly?

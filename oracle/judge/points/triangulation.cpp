@@ -6,6 +6,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/conditions/conditions.hpp"
 
 namespace circumspect::check {
 
@@ -46,9 +47,6 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
   return witness;
 }
 
-// ---- Triangulation by lemma ----
-// Conditions 1–3 of docs/theory/points.md, which proves that they suffice.
-
 namespace {
 
 // The witness that two simplices overlap: a common point off their common face.
@@ -85,20 +83,25 @@ bool is_folded(const ExactMesh& mesh, const Hinge& hinge) {
   return side == orientation(points, axes, with_far);
 }
 
+// Condition 2 at a ridge of two facets.
 bool judge_hinge(const ExactMesh& mesh, const Hinge& hinge, Verdict& verdict) {
   const Configuration& points = mesh.points.configuration();
-  const int second_side = side_of(points, hinge.first, hinge.second_far);
-  if (second_side < 0) {
-    verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.first, hinge.second_far));
-    return false;
-  }
-  if (side_of(points, hinge.second, hinge.first_far) < 0) {
-    verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far));
-    return false;
-  }
-  if (second_side == 0 && is_folded(mesh, hinge)) {
-    verdict.add(Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex));
-    return false;
+  switch (conditions::at_ridge(
+      2, [&] { return side_of(points, hinge.first, hinge.second_far); },
+      [&] { return side_of(points, hinge.second, hinge.first_far); },
+      [&] { return is_folded(mesh, hinge); })) {
+    case conditions::AtRidge::kSecondBeyond:
+      verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.first, hinge.second_far));
+      return false;
+    case conditions::AtRidge::kFirstBeyond:
+      verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far));
+      return false;
+    case conditions::AtRidge::kFolded:
+      verdict.add(Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex));
+      return false;
+    case conditions::AtRidge::kNotClosed:
+    case conditions::AtRidge::kGood:
+      break;
   }
   return true;
 }
@@ -116,11 +119,9 @@ Vertex vertex_beyond(const ExactMesh& mesh, const BoundaryFacet& facet,
 // Is the sample point in the closed simplex?
 bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) {
   const int own = orientation(points, simplex);
-  for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const int side = orientation(points, with_vertex_replaced(simplex, place, sample));
-    if (side * own < 0) return false;
-  }
-  return true;
+  return conditions::covers(simplex.size(), [&](std::size_t place) {
+    return own * orientation(points, with_vertex_replaced(simplex, place, sample));
+  });
 }
 
 }  // namespace
@@ -129,15 +130,21 @@ bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& us
                           Verdict& verdict) {
   bool matched = true;
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
-    if (group.size() > 2) {
-      matched = false;
-      Witness witness{.face = group.front().facet};
-      for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
-      verdict.add(Rule::kFacetOverused, witness);
-    } else if (group.size() == 2 && on_same_side(mesh, group[0], group[1])) {
-      matched = false;
-      verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
+    switch (conditions::at_facet(group.size(),
+                                 [&] { return on_same_side(mesh, group[0], group[1]); })) {
+      case conditions::AtFacet::kGood:
+        return;
+      case conditions::AtFacet::kOverused: {
+        Witness witness{.face = group.front().facet};
+        for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
+        verdict.add(Rule::kFacetOverused, witness);
+        break;
+      }
+      case conditions::AtFacet::kSameSide:
+        verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
+        break;
     }
+    matched = false;
   });
   return matched;
 }
@@ -172,7 +179,7 @@ void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>&
   const auto o = static_cast<Vertex>(mesh.points.size());
   bool inside_hull = true;
   for (const BoundaryFacet& facet : boundary) {
-    if (side_of(points, facet, o) > 0) continue;
+    if (conditions::is_strictly_inside(side_of(points, facet, o))) continue;
     inside_hull = false;
     verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, vertex_beyond(mesh, facet, first)));
   }
@@ -194,43 +201,6 @@ bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& 
   if (judge_ridges(mesh, boundary, facet_uses(facets), verdict))
     judge_sample_point(mesh, boundary, verdict);
   return true;
-}
-
-// ---- Neighbors ----
-
-namespace {
-
-// `across` is the place of the true neighbour in the list of simplices, or −1.
-void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
-  const Vertex expected = across < 0 ? -1 : across + mesh.neighbors->first_index;
-  const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
-  if (listed == expected) return;
-  const Simplex* const simplex =
-      across < 0 ? nullptr : &mesh.simplices[static_cast<std::size_t>(across)];
-  add_wrong_neighbor(mesh, use, simplex, listed, expected, verdict);
-}
-
-}  // namespace
-
-void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
-    const bool shared = group.size() == 2;
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;
-      judge_link(mesh, group[i], across, verdict);
-    }
-  });
-}
-
-void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
-                        Vertex listed, Vertex expected, Verdict& verdict) {
-  Witness witness{.simplices = {mesh.simplices[use.simplex]},
-                  .face = use.facet,
-                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
-                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
-  // Names the true neighbour by its vertices, so that the reader need not count simplices.
-  if (across != nullptr) witness.simplices.push_back(*across);
-  verdict.add(Rule::kWrongNeighbor, witness);
 }
 
 }  // namespace circumspect::check

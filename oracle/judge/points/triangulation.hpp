@@ -1,5 +1,5 @@
-// Are sound simplices a complex that covers the convex hull of the points, and are the listed
-// neighbours the true ones? Book: Definition 2.1 and Section 4.1.
+// Are sound simplices a complex that covers the convex hull of the points? Book: Definition 2.1 and
+// Section 4.1.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,7 @@
 
 namespace circumspect::check {
 
-// ---- Boundary facet ----
 // A facet of only one simplex: a piece of the boundary of the mesh.
-
 struct BoundaryFacet {
   Simplex facet;        // ascending
   Vertex apex;          // the vertex of its simplex off the facet, hence on the inner side
@@ -29,8 +27,6 @@ int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q);
 
 // The witness that q lies strictly beyond a facet: two determinants of opposite signs.
 Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
-
-// ---- Triangulation ----
 
 // All three require that judge_simplices found nothing wrong, and return whether every facet lies
 // in one simplex or in two on opposite sides of it.
@@ -56,18 +52,5 @@ void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>&
 // the mesh.
 bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                             Verdict& verdict);
-
-// ---- Neighbors ----
-// Are the neighbours that a program lists (TetGen's and Triangle's .neigh) the true ones?
-
-// complex.wrong-neighbor: entry i of a simplex must be the simplex across the facet opposite its
-// vertex i, or none on the boundary. Requires: the mesh lists neighbours; simplices are sound and
-// facets lie in one or two of them. `uses` are those of the mesh.
-void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
-
-// The same for one facet, given that the simplex across it, `across` if there is one, is not the
-// listed one. `listed`, `expected`: the indices as the program counts them.
-void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
-                        Vertex listed, Vertex expected, Verdict& verdict);
 
 }  // namespace circumspect::check

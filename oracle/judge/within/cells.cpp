@@ -26,25 +26,6 @@ Cells::Cells(const PiecewiseLinearComplex& complex, Markers markers)
   }
 }
 
-std::vector<Cell> Cells::all() const {
-  std::vector<Cell> cells;
-  for (std::size_t v = 0; v < complex_.points.size(); ++v) cells.push_back({0, v});
-  for (std::size_t s = 0; s < complex_.segments.size(); ++s) cells.push_back({1, s});
-  for (std::size_t p = 0; p < complex_.polygons.size(); ++p) cells.push_back({2, p});
-  return cells;
-}
-
-std::vector<Vertex> Cells::vertices(Cell cell) const {
-  if (cell.dimension == 0) return {static_cast<Vertex>(cell.place)};
-  if (cell.dimension == 1) return complex_.segments[cell.place];
-  return complex_.polygons[cell.place].vertices;
-}
-
-std::vector<Simplex> Cells::simplices(Cell cell) const {
-  if (cell.dimension == 2) return complex_.polygons[cell.place].triangles;
-  return {vertices(cell)};
-}
-
 std::vector<Cell> Cells::closure(Cell cell) const {
   std::vector<Cell> cells = {cell};
   if (cell.dimension == 0) return cells;

@@ -1,28 +1,23 @@
 // The cells of a domain that must have images in the mesh, and their faces.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <map>
 #include <vector>
 
+#include "kernel/piecewise_linear/linear_cell.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 
-// What programs write beside triangles and users beside polygons, to say what belongs together; 0: nothing.
+// What programs write beside triangles and users beside polygons, to say what belongs together; 0:
+// nothing.
 struct Markers {
   std::map<Simplex, Vertex> of_triangles = {};  // by their vertices, ascending
   std::vector<Vertex> of_polygons = {};         // of the first ones; others have none
 };
 
-// A vertex (dimension 0), a segment (1) or a polygon (2) of a domain, by its place among them.
-struct Cell {
-  int dimension = 0;
-  std::size_t place = 0;
-
-  auto operator<=>(const Cell&) const = default;
-};
+using Cell = LinearCell;
 
 class Cells {
  public:
@@ -30,20 +25,18 @@ class Cells {
 
   const PiecewiseLinearComplex& complex() const { return complex_; }
   // All, vertices first, polygons last.
-  std::vector<Cell> all() const;
+  std::vector<Cell> all() const { return linear_cells(complex_); }
 
-  // The cell itself and all its faces: the ends of a segment; the vertices and segments in a polygon,
-  // slits among them.
+  // The cell itself and all its faces: the ends of a segment; the vertices and segments in a
+  // polygon, slits among them.
   std::vector<Cell> closure(Cell cell) const;
   bool is_in_closure(Cell face, Cell cell) const;
   // Is it so of all proper faces?
   template <class Holds>
   bool holds_of_faces(Cell cell, const Holds& holds) const {
     if (cell.dimension == 0) return true;
-    const std::vector<Vertex>& vertices = cell.dimension == 1
-                                              ? complex_.segments[cell.place]
-                                              : complex_.polygons[cell.place].vertices;
-    for (const Vertex v : vertices) {
+    for (const Vertex v : cell.dimension == 1 ? complex_.segments[cell.place]
+                                              : complex_.polygons[cell.place].vertices) {
       if (!holds(Cell{0, static_cast<std::size_t>(v)})) return false;
     }
     if (cell.dimension == 1) return true;
@@ -64,8 +57,8 @@ class Cells {
   bool meet(Cell a, Cell b) const;
 
   // The vertices in the cell, ascending; the simplices it is made of, each by its vertices.
-  std::vector<Vertex> vertices(Cell cell) const;
-  std::vector<Simplex> simplices(Cell cell) const;
+  std::vector<Vertex> vertices(Cell cell) const { return vertices_of(complex_, cell); }
+  std::vector<Simplex> simplices(Cell cell) const { return simplices_of(complex_, cell); }
 
  private:
   const PiecewiseLinearComplex& complex_;

@@ -9,10 +9,8 @@ namespace circumspect::check {
 namespace {
 
 // Points as integers over one positive denominator: fractions are reduced once, at the end.
-using Whole = std::array<Integer, 3>;
+using Whole = Triple<Integer>;
 
-Whole difference(const Whole& a, const Whole& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Integer product(const Whole& a, const Whole& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Rational quotient(const Integer& numerator, const Integer& denominator) {
   Rational result(numerator, denominator);
   result.canonicalize();
@@ -22,8 +20,8 @@ Rational quotient(const Integer& numerator, const Integer& denominator) {
 class WholePoints {
  public:
   WholePoints(const std::vector<Point>& corners, const Point& point) {
-    for (const Point& corner : corners) take_denominators(corner);
-    take_denominators(point);
+    for (const Point& corner : corners) denominator_ = common_denominator(corner, denominator_);
+    denominator_ = common_denominator(point, denominator_);
     for (const Point& corner : corners) corners_.push_back(scaled(corner));
     point_ = scaled(point);
   }
@@ -31,43 +29,35 @@ class WholePoints {
   Rational to_segment(std::size_t first, std::size_t last) const {
     const Whole along = difference(corners_[last], corners_[first]);
     const Whole to = difference(point_, corners_[first]);
-    const Integer at = product(to, along);
-    if (sign(at) <= 0) return squared(product(to, to));
-    const Integer length = product(along, along);
+    const Integer at = inner_product(to, along);
+    if (sign(at) <= 0) return squared(inner_product(to, to));
+    const Integer length = inner_product(along, along);
     if (at >= length) {
       const Whole beyond = difference(point_, corners_[last]);
-      return squared(product(beyond, beyond));
+      return squared(inner_product(beyond, beyond));
     }
-    return squared(product(to, to) * length - at * at, length);
+    return squared(inner_product(to, to) * length - at * at, length);
   }
 
   Rational to_triangle() const {
     const Whole u = difference(corners_[1], corners_[0]), v = difference(corners_[2], corners_[0]);
     const Whole to = difference(point_, corners_[0]);
-    const Integer uu = product(u, u), vv = product(v, v), uv = product(u, v);
-    const Integer tu = product(to, u), tv = product(to, v);
+    const Integer uu = inner_product(u, u), vv = inner_product(v, v), uv = inner_product(u, v);
+    const Integer tu = inner_product(to, u), tv = inner_product(to, v);
     const Integer gram = uu * vv - uv * uv;
     const Integer s = vv * tu - uv * tv, t = uu * tv - uv * tu;
     if (sign(s) >= 0 && sign(t) >= 0 && s + t <= gram) {
-      const Whole normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                            u[0] * v[1] - u[1] * v[0]};
-      const Integer height = product(to, normal);
+      const Integer height = inner_product(to, cross_product(u, v));
       return squared(height * height, gram);
     }
     return std::min({to_segment(0, 1), to_segment(1, 2), to_segment(2, 0)});
   }
 
  private:
-  void take_denominators(const Point& point) {
-    for (const Rational& x : point) {
-      const Integer& own = x.get_den();
-      if (denominator_ % own != 0) denominator_ = least_common_multiple(denominator_, own);
-    }
-  }
   Whole scaled(const Point& point) const {
     Whole result;
     for (std::size_t i = 0; i < point.size(); ++i) {
-      result[i] = denominator_ / point[i].get_den() * point[i].get_num();
+      result[i] = numerator_over(denominator_, point[i]);
     }
     return result;
   }
@@ -106,67 +96,32 @@ Rational over_power_of_two(const Rational& value, long exponent) {
   return exponent >= 0 ? Rational(value >> bits) : Rational(value << bits);
 }
 
-using Direction = std::array<double, 3>;
+using Direction = Triple<double>;
 
-Direction difference(const Direction& a, const Direction& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double product(const Direction& a, const Direction& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Direction vector_product(const Direction& a, const Direction& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// Heights of points over a plane through the origin, n·p with doubles for n. Each sum that is computed differs
-// from the exact one by at most γ₃ Σ|nᵢ pᵢ| for its roundings (γ₃ = 3u / (1 − 3u) < 4·10⁻¹⁶, u = 2⁻⁵³),
-// by Σ|nᵢ| times the error of the point, and by less than 10⁻³⁰⁰ where products vanish.
-struct Heights {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  double size = 0;   // the largest Σ|nᵢ pᵢ|
-  double error = 0;  // of a point
-};
-Heights heights(const Direction& n, std::span<const RoundedPoint> points) {
-  Heights found;
-  for (const RoundedPoint& p : points) {
-    const double height = product(n, p.at);
-    found.low = std::min(found.low, height);
-    found.high = std::max(found.high, height);
-    const double size =
-        std::abs(n[0] * p.at[0]) + std::abs(n[1] * p.at[1]) + std::abs(n[2] * p.at[2]);
-    found.size = std::max(found.size, size);
-    found.error = std::max(found.error, p.error);
-  }
+// The heights of some points over a plane through the origin, times the length of its normal n.
+Interval heights(const Direction& n, std::span<const RoundedPoint> points) {
+  const Triple<Interval> normal = {exactly(n[0]), exactly(n[1]), exactly(n[2])};
+  Interval found = inner_product(normal, points.front());
+  for (const RoundedPoint& p : points.subspan(1)) found = hull(found, inner_product(normal, p));
   return found;
 }
 
-// Is there so much room between the heights of two simplices that they are more than `distance` apart? They are
-// if the room is larger than distance·|n|, and |n| is at most Σ|nᵢ|. The errors are counted more than
-// twice; where a number is infinite or none, the answer is false.
+// Is there so much room between the heights of two simplices that they are more than `distance`
+// apart? They are if the room is larger than distance·|n|, and |n| is at most Σ|nᵢ|.
 bool parts(const Direction& n, std::span<const RoundedPoint> a, std::span<const RoundedPoint> b,
            double distance) {
-  const Heights of_a = heights(n, a), of_b = heights(n, b);
-  const double length = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-  const double room = std::max(of_a.low - of_b.high, of_b.low - of_a.high);
-  const double errors = 3 * length * (of_a.error + of_b.error) + 1e-15 * (of_a.size + of_b.size);
-  return room > 1.001 * (distance * length + errors) + 1e-299;
+  const Interval of_a = heights(n, a), of_b = heights(n, b);
+  const Interval length =
+      exactly(std::abs(n[0])) + exactly(std::abs(n[1])) + exactly(std::abs(n[2]));
+  const double room = std::max((of_a - of_b).low, (of_b - of_a).low);
+  return room > (exactly(distance) * length).high;
 }
 
 }  // namespace
 
 RoundedPoint rounded(const Point& point) {
   RoundedPoint result;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const double x = result.at[i] = point[i].get_d();
-    if (!std::isfinite(x)) {
-      result.at[i] = 0;
-      result.error = std::numeric_limits<double>::infinity();
-    } else if (exact_value(x) != point[i]) {
-      // GMP cuts off what is less than one unit in the last place.
-      result.error = std::max(result.error, 0x1p-51 * std::abs(x) + 0x1p-1000);
-    }
-  }
+  for (std::size_t i = 0; i < point.size(); ++i) result[i] = enclosing(point[i]);
   return result;
 }
 
@@ -207,47 +162,38 @@ double Rounding::distance(const Rational& squared) const {
   return upper_double(over_power_of_two(upper_square_root(squared), exponent_));
 }
 
-// Sums and differences of two coordinates change by at most √2 times as much, and their errors add up.
+// Sums and differences of two coordinates change by at most √2 times as much.
 Box box_about(std::span<const RoundedPoint> points, double distance) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box;
-  box.low.fill(kInfinity);
-  box.high.fill(-kInfinity);
-  double error = 0;
-  for (const RoundedPoint& point : points) {
-    const auto& [x, y, z] = point.at;
-    const std::array<double, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
+  box.low.fill(std::numeric_limits<double>::infinity());
+  box.high.fill(-std::numeric_limits<double>::infinity());
+  for (const auto& [x, y, z] : points) {
+    const std::array<Interval, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      box.low[i] = std::min(box.low[i], values[i]);
-      box.high[i] = std::max(box.high[i], values[i]);
+      box.low[i] = std::min(box.low[i], values[i].low);
+      box.high[i] = std::max(box.high[i], values[i].high);
     }
-    error = std::max(error, point.error);
   }
-  for (std::size_t i = 0; i < box.low.size(); ++i) {
-    // A sum of two doubles is off by at most half a unit in the last place: one step outward makes up for it.
-    const double low = i < 3 ? box.low[i] : std::nextafter(box.low[i], -kInfinity);
-    const double high = i < 3 ? box.high[i] : std::nextafter(box.high[i], kInfinity);
-    const double step = (i < 3 ? 1 : 2) * (distance + error);
-    const bool is_known = std::isfinite(step);
-    box.low[i] = step == 0  ? low
-                 : is_known ? std::nextafter(low - 1.001 * step, -kInfinity)
-                            : -kInfinity;
-    box.high[i] = step == 0  ? high
-                  : is_known ? std::nextafter(high + 1.001 * step, kInfinity)
-                             : kInfinity;
+  for (std::size_t i = 0; distance > 0 && i < box.low.size(); ++i) {
+    const Interval step = exactly((i < 3 ? 1 : 2) * distance);
+    box.low[i] = (exactly(box.low[i]) - step).low;
+    box.high[i] = (exactly(box.high[i]) + step).high;
   }
   return box;
 }
 
-// Planes at right angles to these directions are tried: the differences of corners, the edges, what is at right
-// angles to an edge and leads to the other simplex, and the normals of pairs of edges and of the planes
-// through these and an edge. Whatever the direction, `parts` decides.
+// Planes at right angles to these directions are tried: the differences of corners, the edges, what
+// is at right angles to an edge and leads to the other simplex, and the normals of pairs of edges
+// and of the planes through these and an edge. Whatever the direction, `parts` decides.
 bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoint> b,
                      double distance) {
   const auto apart = [&](const Direction& n) { return parts(n, a, b, distance); };
+  const auto towards = [](const RoundedPoint& to, const RoundedPoint& from) {
+    return Direction{to[0].low - from[0].low, to[1].low - from[1].low, to[2].low - from[2].low};
+  };
   for (const RoundedPoint& p : a) {
     for (const RoundedPoint& q : b) {
-      if (apart(difference(p.at, q.at))) return true;
+      if (apart(towards(p, q))) return true;
     }
   }
   std::array<Direction, 6> edges;
@@ -255,12 +201,12 @@ bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoi
   for (const auto& [own, other] : {std::pair{a, b}, std::pair{b, a}}) {
     for (std::size_t i = 0; i < own.size(); ++i) {
       for (std::size_t j = i + 1; j < own.size(); ++j) {
-        const Direction edge = difference(own[j].at, own[i].at);
+        const Direction edge = towards(own[j], own[i]);
         edges[count++] = edge;
         if (apart(edge)) return true;
         for (const RoundedPoint& q : other) {
-          Direction across = difference(q.at, own[i].at);
-          const double along = product(across, edge) / product(edge, edge);
+          Direction across = towards(q, own[i]);
+          const double along = inner_product(across, edge) / inner_product(edge, edge);
           for (std::size_t k = 0; k < 3; ++k) across[k] -= along * edge[k];
           if (apart(across)) return true;
         }
@@ -269,9 +215,9 @@ bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoi
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
-      const Direction normal = vector_product(edges[i], edges[j]);
-      if (apart(normal) || apart(vector_product(normal, edges[i])) ||
-          apart(vector_product(normal, edges[j]))) {
+      const Direction normal = cross_product(edges[i], edges[j]);
+      if (apart(normal) || apart(cross_product(normal, edges[i])) ||
+          apart(cross_product(normal, edges[j]))) {
         return true;
       }
     }

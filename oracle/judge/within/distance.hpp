@@ -1,12 +1,14 @@
-// Exact squared distances between points, segments and triangles, and a filter that avoids most of them.
+// Exact squared distances between points, segments and triangles, and a filter that avoids most of
+// them.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "kernel/boxes/box_index.hpp"
+#include "kernel/boxes/interval.hpp"
 #include "kernel/exact/point.hpp"
+#include "kernel/exact/triple.hpp"
 
 namespace circumspect::check {
 
@@ -18,18 +20,16 @@ Rational squared_distance_to(const std::vector<Point>& simplex, const Point& poi
 // common; in the plane they are points or segments.
 Rational squared_distance_between(const std::vector<Point>& a, const std::vector<Point>& b);
 
-// A point in doubles: no coordinate is off by more than `error`. In the plane the third is 0.
-struct RoundedPoint {
-  std::array<double, 3> at = {0, 0, 0};
-  double error = 0;
-};
+// What doubles know of a point. In the plane the third coordinate is 0.
+using RoundedPoint = Triple<Interval>;
 RoundedPoint rounded(const Point& point);
 
 // At least the square root, and hardly more.
 Rational upper_square_root(const Rational& squared);
 
-// Points and distances in doubles. Where products of a few coordinates would be no doubles, everything is scaled by one
-// power of two, so that the filters decide as much as they do elsewhere.
+// Points and distances in doubles. Where products of a few coordinates would be no doubles,
+// everything is scaled by one power of two, so that the filters decide as much as they do
+// elsewhere.
 class Rounding {
  public:
   // For points like these.
@@ -44,10 +44,12 @@ class Rounding {
   long exponent_ = 0;  // of the power that everything is divided by
 };
 
-// A box that holds whatever is at most so far from one of the points, and from what is between them.
+// A box that holds whatever is at most so far from one of the points, and from what is between
+// them.
 Box box_about(std::span<const RoundedPoint> points, double distance);
 
-// True only if two simplices of one to three corners each are more than `distance` apart; false says nothing.
+// True only if two simplices of one to three corners each are more than `distance` apart; false
+// says nothing.
 bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoint> b,
                      double distance);
 

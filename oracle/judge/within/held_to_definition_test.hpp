@@ -1,4 +1,5 @@
-// For tests: compares the search for the least reach with the definition, and the verdict with the planted fault.
+// For tests: compares the search for the least reach with the definition, and the verdict with the
+// planted fault.
 #pragma once
 
 #include <set>
@@ -6,11 +7,14 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/polytope.hpp"
 #include "kernel/exact/number.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
+#include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
 
 namespace circumspect::check {
@@ -141,7 +145,7 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   if (!is_sound(mesh)) return;
   PiecewiseLinearComplex complex = moved.domain.complex;
   if (complex.kind == DomainKind::kHull) {
-    const auto faces = hull_faces_by_definition(complex.points);
+    const auto faces = facets_by_definition(complex.points, all_vertices(complex.points));
     CHECK(hull_faces(complex.points) == faces);
     complex = with_hull_walls(complex, faces);
   }

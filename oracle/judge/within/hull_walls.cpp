@@ -105,7 +105,8 @@ class Walls {
     return sides;
   }
 
-  // What is between segments is in a polygon if a polygon is beside one of these segments on that side.
+  // What is between segments is in a polygon if a polygon is beside one of these segments on that
+  // side.
   std::set<EdgeSide> sides_of_polygons(const std::vector<Vertex>& face,
                                        const std::vector<std::size_t>& axes) {
     if (polygons_at_.empty()) {

@@ -5,14 +5,17 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/polytope.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
 
 namespace circumspect::check {
 
 TEST_CASE("a convex hull with a polygon in a face, and one across a face") {
-  // The floor has a square in it, from which a segment leads to its boundary; a wall stands on the square.
+  // The floor has a square in it, from which a segment leads to its boundary; a wall stands on the
+  // square.
   PiecewiseLinearInput input = cuboid({0, 0, 0}, {8, 8, 8});
   input.polygons.clear();
   input.kind = DomainKind::kHull;
@@ -24,7 +27,7 @@ TEST_CASE("a convex hull with a polygon in a face, and one across a face") {
   input.segments = {{8, 12}};
   const PiecewiseLinearComplex hull = assemble(input);
   const auto faces = hull_faces(hull.points);
-  CHECK(faces == hull_faces_by_definition(hull.points));
+  CHECK(faces == facets_by_definition(hull.points, all_vertices(hull.points)));
   const PiecewiseLinearComplex walled = with_hull_walls(hull, faces);
   // The floor about the square, and five more; the edges, one of them cut.
   CHECK(walled.polygons.size() == 2 + 6);
@@ -72,7 +75,7 @@ TEST_CASE("the faces of a convex hull by going around it and by looking at all p
     }
     const PointSet set({points.begin(), points.end()});
     if (set.dimension() < static_cast<int>(dimension)) continue;
-    CHECK(hull_faces(set) == hull_faces_by_definition(set));
+    CHECK(hull_faces(set) == facets_by_definition(set, all_vertices(set)));
   }
 }
 
@@ -118,7 +121,8 @@ TEST_CASE("triangles that are nearly seen as lines turn as exact numbers say") {
     }
     input.polygons = {{{{0, 1, 2}}, {}}};
     const PiecewiseLinearComplex complex = assemble(input);
-    // Two corners, and a third that is on the line through them but for rounding, or exactly above it.
+    // Two corners, and a third that is on the line through them but for rounding, or exactly above
+    // it.
     const double t = any_double(random);
     Point third;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -132,9 +136,7 @@ TEST_CASE("triangles that are nearly seen as lines turn as exact numbers say") {
     const std::vector<RoundedPoint> of_mesh = Rounding(input.points).points(points.points());
     const SeenFromAbove seen(complex, of_domain, 0, points, of_mesh);
     const Point u = points[1] - points[0], v = points[2] - points[0];
-    const Point across = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                          u[0] * v[1] - u[1] * v[0]};
-    const int turn = sign(inner_product(normal, across));
+    const int turn = sign(inner_product(normal, cross_product(u, v)));
     CHECK(seen.turn({0, 1, 2}) == turn);
     CHECK(seen.turn({1, 0, 2}) == -turn);
     if (round % 3 == 0) CHECK(turn == 0);

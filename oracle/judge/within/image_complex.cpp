@@ -1,3 +1,5 @@
+#include "oracle/judge/within/image_complex.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -11,13 +13,12 @@
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/distance.hpp"
-#include "oracle/judge/within/images.hpp"
 
 namespace circumspect::check {
 namespace {
 
-// A wall of the image by the mesh's vertices, in an order such that its front has the sides of the front of
-// `own`, a wall of the domain.
+// A wall of the image by the mesh's vertices, in an order such that its front has the sides of the
+// front of `own`, a wall of the domain.
 struct ImageWall {
   Simplex wall;
   Simplex own;
@@ -139,9 +140,9 @@ class Building {
     }
   }
 
-  // The images are faces of the mesh, which is a complex only if they are one. Images of which no vertex is moved
-  // are what the cells are, which is valid. So only those have to be looked at that are moved, and what
-  // is beside them.
+  // The images are faces of the mesh, which is a complex only if they are one. Images of which no
+  // vertex is moved are what the cells are, which is valid. So only those have to be looked at that
+  // are moved, and what is beside them.
   std::optional<Violation> intersection_of_images() const {
     std::vector<RoundedPoint> points(mesh_.points.size());
     for (const Vertex v : in_mesh_) points[static_cast<std::size_t>(v)] = rounded(mesh_.points[v]);
@@ -200,8 +201,8 @@ class Building {
       }
       return Violation{Rule::kOverlap, witness};
     }
-    // A vertex or a link that lies in a triangle without being a face of it. As a complex that would be
-    // valid: it would be a face of the triangle as a polygon.
+    // A vertex or a link that lies in a triangle without being a face of it. As a complex that
+    // would be valid: it would be a face of the triangle as a polygon.
     const std::vector<Adoption> adopted = adoptions(input, *valid);
     if (adopted.empty()) return std::nullopt;
     const Adoption& first = adopted.front();
@@ -318,10 +319,7 @@ class Building {
     const Point centre = barycentre(corners);
     const Point u = corners[1] - corners[0];
     Point step = {-u[1], u[0]};  // on the left, where the front of an edge is
-    if (corners.size() == 3) {
-      const Point v = corners[2] - corners[0];
-      step = {u[2] * v[1] - u[1] * v[2], u[0] * v[2] - u[2] * v[0], u[1] * v[0] - u[0] * v[1]};
-    }
+    if (corners.size() == 3) step = cross_product(corners[2] - corners[0], u);
     if (side.reversed) step = Rational(-1) * step;
     for (;; step = Rational(1, 2) * step) {
       const auto crossed = regions.walls().crossings(centre, centre + step);

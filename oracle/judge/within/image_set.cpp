@@ -1,10 +1,11 @@
+#include "oracle/judge/within/image_set.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
 #include <span>
 
 #include "kernel/exact/point.hpp"
-#include "oracle/judge/within/images.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -236,8 +237,8 @@ ImageSet image_set(const Images& images, const Cells& cells, const Rational& squ
   return set;
 }
 
-// In the plane, and wherever only vertices are shared, there is nothing to ask: a vertex of the mesh has one
-// carrier, which is a face of every cell that has the vertex in its image.
+// In the plane, and wherever only vertices are shared, there is nothing to ask: a vertex of the
+// mesh has one carrier, which is a face of every cell that has the vertex in its image.
 std::optional<Misplaced> misplaced(const ImageSet& images, const ExactMesh& mesh,
                                    const Cells& cells) {
   if (images.patches.empty()) return std::nullopt;

@@ -5,71 +5,6 @@
 
 namespace circumspect::check {
 
-// ---- Faces of the mesh ----
-namespace {
-
-template <class T>
-void make_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-}  // namespace
-
-MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches, Work& work)
-    : triangles_(cells.complex().polygons.size()) {
-  std::vector<std::vector<std::size_t>> polygons_at(mesh.points.size());
-  for (std::size_t p = 0; p < triangles_.size(); ++p) {
-    for (const Reaches::ToVertex& near : reaches.near({2, p})) {
-      polygons_at[static_cast<std::size_t>(near.vertex)].push_back(p);
-    }
-  }
-  const auto file_triangle = [&](const Simplex& triangle) {
-    std::vector<std::size_t> all = polygons_at[static_cast<std::size_t>(triangle[0])];
-    for (const std::size_t place : {std::size_t{1}, std::size_t{2}}) {
-      const auto& more = polygons_at[static_cast<std::size_t>(triangle[place])];
-      std::vector<std::size_t> both;
-      std::set_intersection(all.begin(), all.end(), more.begin(), more.end(),
-                            std::back_inserter(both));
-      all = std::move(both);
-    }
-    work.add(all.size());
-    for (const std::size_t p : all) triangles_[p].push_back(triangle);
-  };
-  const auto is_near = [&](Vertex v) { return !reaches.of(v).empty(); };
-  const auto file = [&](const Simplex& listed) {
-    // Most simplices have no edge that may be in an image.
-    if (std::count_if(listed.begin(), listed.end(), is_near) < 2 || work.is_too_much()) return;
-    const Simplex simplex = sorted(listed);
-    for (std::size_t i = 0; i < simplex.size(); ++i) {
-      if (!is_near(simplex[i])) continue;
-      for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-        if (!is_near(simplex[j])) continue;
-        edges_.emplace_back(simplex[i], simplex[j]);
-        edges_.emplace_back(simplex[j], simplex[i]);
-        for (std::size_t k = j + 1; k < simplex.size() && !triangles_.empty(); ++k) {
-          file_triangle({simplex[i], simplex[j], simplex[k]});
-        }
-      }
-    }
-  };
-  for (const Simplex& simplex : mesh.simplices) file(simplex);
-  for (const Simplex& face : mesh.faces) file(face);
-  make_unique(edges_);
-  for (std::vector<Simplex>& triangles : triangles_) make_unique(triangles);
-}
-
-bool MeshFaces::has_edge(Vertex a, Vertex b) const {
-  return std::binary_search(edges_.begin(), edges_.end(), std::pair{a, b});
-}
-
-std::span<const std::pair<Vertex, Vertex>> MeshFaces::edges_at(Vertex v) const {
-  const auto first = std::lower_bound(edges_.begin(), edges_.end(), std::pair{v, Vertex{0}});
-  const auto last = std::lower_bound(first, edges_.end(), std::pair{v + 1, Vertex{0}});
-  return {first, last};
-}
-
-// ---- Images ----
 Images::Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, const Cells& cells,
                const DomainPieces& pieces, const Regions& regions, const Reaches& reaches,
                const MeshFaces& faces, Work& work)
@@ -89,8 +24,8 @@ Images::Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, 
 const ImageOr<Vertex>& Images::vertex(std::size_t v, const Rational& squared_reach) const {
   auto& known = vertices_[v];
   if (!known || !known->is_about(squared_reach)) {
-    known.emplace(found_vertex(v, squared_reach), squared_reach,
-                  next_change({0, v}, squared_reach));
+    known = Known<Vertex>{found_vertex(v, squared_reach), squared_reach,
+                          next_change({0, v}, squared_reach)};
   }
   return known->image;
 }
@@ -99,8 +34,8 @@ const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
                                                  const Rational& squared_reach) const {
   auto& known = paths_[segment];
   if (!known || !known->is_about(squared_reach)) {
-    known.emplace(found_path(segment, squared_reach), squared_reach,
-                  next_change({1, segment}, squared_reach));
+    known = Known<std::vector<Vertex>>{found_path(segment, squared_reach), squared_reach,
+                                       next_change({1, segment}, squared_reach)};
   }
   return known->image;
 }
@@ -108,8 +43,8 @@ const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
 const ImageOr<Patch>& Images::patch(std::size_t polygon, const Rational& squared_reach) const {
   auto& known = patches_[polygon];
   if (!known || !known->is_about(squared_reach)) {
-    known.emplace(found_patch(polygon, squared_reach), squared_reach,
-                  next_change({2, polygon}, squared_reach));
+    known = Known<Patch>{found_patch(polygon, squared_reach), squared_reach,
+                         next_change({2, polygon}, squared_reach)};
   }
   return known->image;
 }
@@ -156,14 +91,16 @@ ImageOr<std::vector<Vertex>> Images::found_path(std::size_t segment,
     const Witness witness{.face = sorted({a, b}), .domain_cell = ends};
     return no_image(Rule::kSegmentMissing, witness);
   };
-  // The ends are within reach of cells that are more than three times as far apart: they are in order.
+  // The ends are within reach of cells that are more than three times as far apart: they are in
+  // order.
   const bool has_others = reaches_.near({1, segment}).size() > 2;
   if (!has_others) {
     if (!faces_.has_edge(first, last)) return missing(first, last);
     return std::vector<Vertex>{first, last};
   }
   work_.add(places_along(segment).size());
-  // The image of the first end may lie beyond a vertex of the path, and that of the last before one.
+  // The image of the first end may lie beyond a vertex of the path, and that of the last before
+  // one.
   std::vector<const Place*> inner;
   const Place *at_first = nullptr, *at_last = nullptr;
   for (const Place& place : places_along(segment)) {

@@ -1,54 +1,31 @@
 // The images of the cells of a domain in a mesh, at a given reach. docs/theory/within.md, 1 to 3.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "kernel/piecewise_linear/regions.hpp"
+#include "oracle/judge/within/mesh_faces.hpp"
 #include "oracle/judge/within/reaches.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
-#include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
-// ---- Faces of the mesh ----
-// The edges and triangles of a mesh that may belong to images: those with vertices near cells alone.
-
-class MeshFaces {
- public:
-  // Edges and triangles of simplices, and listed ones. Requires: each simplex is sound by itself.
-  MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches, Work& work);
-
-  bool has_edge(Vertex a, Vertex b) const;
-  // All edges of a vertex, each from it to the other.
-  std::span<const std::pair<Vertex, Vertex>> edges_at(Vertex v) const;
-  // With all vertices near the polygon; ascending, each once.
-  const std::vector<Simplex>& triangles_near(std::size_t polygon) const {
-    return triangles_[polygon];
-  }
-
- private:
-  std::vector<std::pair<Vertex, Vertex>> edges_;  // in both directions, ascending
-  std::vector<std::vector<Simplex>> triangles_;
-};
-
-// ---- Images ----
-// The triangles that are the image of a polygon, and for each a triangle of the domain of the same part of
-// the polygon: its sides are those of that. All are in the order that is counterclockwise seen from above
-// (see `normal_of`), so that the front of OrientedFacet::of is below.
+// The triangles that are the image of a polygon, and for each a triangle of the domain of the same
+// part of the polygon: its sides are those of that. All are in the order that is counterclockwise
+// seen from above (see `normal_of`), so that the front of OrientedFacet::of is below.
 struct Patch {
   std::vector<Simplex> triangles;
   std::vector<Simplex> own;
 };
 
-// Why a cell has no image. `is_open`: there is a choice of triangles that the definition does not decide.
+// Why a cell has no image. `is_open`: there is a choice of triangles that the definition does not
+// decide.
 struct NoImage {
   Violation violation;
   bool is_open = false;
@@ -70,8 +47,8 @@ class Images {
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
 
-  // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs. An answer is
-  // kept until a reach is asked about at which it may be another.
+  // Each asks nothing of the cell's faces but where their own images are: what these lack is
+  // theirs. An answer is kept until a reach is asked about at which it may be another.
   // The one vertex of the mesh that a vertex of the domain carries.
   const ImageOr<Vertex>& vertex(std::size_t v, const Rational& squared_reach) const;
   // From the image of its first end to that of its second. Requires: the ends have images.
@@ -82,8 +59,8 @@ class Images {
 
   // Why a cell has no image; nothing if it has one, or if one of its faces has none.
   std::optional<NoImage> fault(Cell cell, const Rational& squared_reach) const;
-  // The least distance beyond the reach at which the carriers of the vertices in the image of the cell
-  // change, or there are others; nothing if there is none.
+  // The least distance beyond the reach at which the carriers of the vertices in the image of the
+  // cell change, or there are others; nothing if there is none.
   std::optional<Rational> next_change(Cell cell, const Rational& squared_reach) const;
   // A change at or before which the cell has no image; nothing if it has none at any larger reach.
   // Requires: a fault.
@@ -132,53 +109,5 @@ class Images {
   mutable std::vector<std::optional<Known<std::vector<Vertex>>>> paths_;
   mutable std::vector<std::optional<Known<Patch>>> patches_;
 };
-
-// ---- All images ----
-// The images of all cells of a domain at one reach, and whether they lie to one another as the cells do.
-// docs/theory/within.md, 4.
-
-struct ImageSet {
-  std::vector<Vertex> vertices;            // of each vertex of the domain
-  std::vector<std::vector<Vertex>> paths;  // of each segment
-  std::vector<Patch> patches;              // of each polygon
-};
-
-// Requires: every cell has an image.
-ImageSet image_set(const Images& images, const Cells& cells, const Rational& squared_reach);
-
-// Two cells whose images meet otherwise than in images of common faces, or stand about a segment in another
-// order: rule domain.images-meet.
-struct Misplaced {
-  Cell a;
-  Cell b;
-  Violation violation;
-};
-std::optional<Misplaced> misplaced(const ImageSet& images, const ExactMesh& mesh,
-                                   const Cells& cells);
-
-// ---- The complex of the images ----
-// P′: the complex that a domain became in a mesh. docs/theory/within.md, 5.
-
-struct ImageComplex {
-  // A valid complex whose points are points of the mesh. Its hole seeds say what is not inside; they follow
-  // from the sides of the polygons of the domain. Its regions are known, unless sides differ.
-  Domain domain;
-  std::vector<Vertex> in_mesh;  // the point of the mesh that each of its vertices is
-  std::vector<std::size_t>
-      polygons;  // the polygon of the domain that each of its polygons is part of
-  // The polygons of the domain that have no inside beside them and no flat image: their triangles are not
-  // held against each other.
-  std::size_t not_flat_and_dangling = 0;
-  // A wall, by its vertices in the complex, with a region on one side that has inside and outside on its
-  // walls, if there is one; then the complex has no seeds.
-  std::optional<Simplex> sides_differ = {};
-};
-
-// complex.overlap if images intersect: then the mesh is no complex either. `regions` are those of the domain's
-// complex. `moved`: of each point of the mesh that is in an image, may it be off the cell that carries it?
-tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images,
-                                                    const std::vector<bool>& moved,
-                                                    const ExactMesh& mesh, const Cells& cells,
-                                                    const Regions& regions);
 
 }  // namespace circumspect::check

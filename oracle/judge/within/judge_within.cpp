@@ -5,11 +5,14 @@
 #include <thread>
 #include <utility>
 
+#include "kernel/complex/polytope.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
-#include "oracle/judge/within/images.hpp"
+#include "oracle/judge/within/image_complex.hpp"
+#include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
 
 namespace circumspect::check {
@@ -26,8 +29,8 @@ Claim with_steiner_points(Claim claim) {
   return claim == Claim::kCdt ? Claim::kSteinerCdt : claim;
 }
 
-// Is a simplex or a listed face at fault by itself, or listed twice? A facet that three simplices share is no such fault: the
-// distance at which all cells have images is found as well.
+// Is a simplex or a listed face at fault by itself, or listed twice? A facet that three simplices
+// share is no such fault: the distance at which all cells have images is found as well.
 bool is_unsound(const Verdict& verdict) {
   return std::any_of(verdict.tallies().begin(), verdict.tallies().end(), [](const auto& tally) {
     return stage(tally.first) == Stage::kSimplices && tally.first != Rule::kOrientation;
@@ -41,7 +44,8 @@ struct CellsOfDomain {
   const Regions& regions;
   std::size_t own_polygons;  // the user's
 
-  // The user has no polygon that is a part of a face of the convex hull: three corners of it say which.
+  // The user has no polygon that is a part of a face of the convex hull: three corners of it say
+  // which.
   Witness in_own_words(Witness witness) const {
     if (!witness.polygon || *witness.polygon < own_polygons) return witness;
     witness.domain_cell = cells.complex().polygons[*witness.polygon].triangles.front();
@@ -129,8 +133,9 @@ Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer
   return domain.in_own_words(std::move(witness));
 }
 
-// Which points of the mesh are its vertices: those of simplices and listed faces. No simplex can have a lone vertex of
-// the domain that is outside what is filled, so there a point of the mesh is enough, as for the exact claim.
+// Which points of the mesh are its vertices: those of simplices and listed faces. No simplex can
+// have a lone vertex of the domain that is outside what is filled, so there a point of the mesh is
+// enough, as for the exact claim.
 std::vector<bool> vertices_of(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                               const Regions& regions) {
   VertexPlaces places = match_vertices(mesh, complex);
@@ -230,7 +235,8 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     return verdict;
   };
   const bool is_empty = domain.complex.points.empty();
-  // Of a large mesh of doubles it is known that its simplices are sound. If not, the exact claim says it.
+  // Of a large mesh of doubles it is known that its simplices are sound. If not, the exact claim
+  // says it.
   const bool is_hull = domain.complex.kind == DomainKind::kHull;
   const bool is_bent_hull = is_hull && flat != nullptr;
   if (known == nullptr || flat != nullptr || is_empty) {
@@ -259,7 +265,9 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     const PointSet& points = domain.complex.points;
     const bool is_full = points.dimension() == static_cast<int>(points.ambient_dimension());
     std::vector<std::vector<Vertex>> faces;
-    if (is_full) faces = by_definition ? hull_faces_by_definition(points) : hull_faces(points);
+    if (is_full)
+      faces =
+          by_definition ? facets_by_definition(points, all_vertices(points)) : hull_faces(points);
     walled = with_hull_walls(domain.complex, faces);
   }
   const Cells cells(walled ? *walled : domain.complex, markers);

@@ -1,5 +1,5 @@
-// Judges a mesh of a domain whose vertices were rounded: the claim is about the domain with its cells moved by no
-// more than a given distance. docs/theory/within.md is the definition.
+// Judges a mesh of a domain whose vertices were rounded: the claim is about the domain with its
+// cells moved by no more than a given distance. docs/theory/within.md is the definition.
 #pragma once
 
 #include <string>
@@ -12,21 +12,22 @@
 
 namespace circumspect::check {
 
-// Why there is no verdict: the distance reaches beyond what tells the cells of the domain apart, the images
-// of the cells are not forced, or the kind of the domain is not handled.
+// Why there is no verdict: the distance reaches beyond what tells the cells of the domain apart,
+// the images of the cells are not forced, or the kind of the domain is not handled.
 struct NotJudged {
   std::string reason;          // whole sentences
   bool is_input_fault = true;  // else: such domains are judged only where the claim holds exactly
 };
 
-// The verdict on the claim for the domain moved by no more than the square root of `squared_distance`,
-// exactly; Verdict::within says by how much it is moved. If there is no such move, the verdict says which
-// cells have no image. A mesh for which the claim holds as it stands is moved by 0.
-// `flat`: where polygons of the domain are joined that are not in one plane (nearly_coplanar.hpp), the domain of
-// which they were joined; the claim as it stands is about that one.
+// The verdict on the claim for the domain moved by no more than the square root of
+// `squared_distance`, exactly; Verdict::within says by how much it is moved. If there is no such
+// move, the verdict says which cells have no image. A mesh for which the claim holds as it stands
+// is moved by 0.
+// `flat`: where polygons of the domain are joined that are not in one plane (nearly_coplanar.hpp),
+// the domain of which they were joined; the claim as it stands is about that one.
 // `markers`: which triangles of the mesh are to be the image of a polygon, where there is a choice.
-// `work`: how much may be done before the search for such a move is given up; none: whatever it takes.
-// Requires: as judge_domain; squared_distance >= 0.
+// `work`: how much may be done before the search for such a move is given up; none: whatever it
+// takes. Requires: as judge_domain; squared_distance >= 0.
 tl::expected<Verdict, NotJudged> judge_within(
     Claim claim, const ExactMesh& mesh, const Domain& domain, const Rational& squared_distance,
     const Options& options = {}, const fast::SimplexFacts* known = nullptr,

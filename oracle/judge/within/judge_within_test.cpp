@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/polytope.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 
@@ -158,8 +160,8 @@ TEST_CASE(
       grid({0, 4}, {0, 4}, two, every_cell),
       domain_of(cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; }))};
   CHECK(boxes.domain.complex.polygons.size() == 11);
-  // The cube above turned over, so that its diagonal in the wall is the other one; then the diagonal below
-  // dips, and there is room.
+  // The cube above turned over, so that its diagonal in the wall is the other one; then the
+  // diagonal below dips, and there is room.
   std::vector<Point> points = boxes.mesh.points.points();
   for (Simplex& simplex : boxes.mesh.simplices) {
     bool above = false;
@@ -180,8 +182,8 @@ TEST_CASE(
 }
 
 TEST_CASE("within: markers say which facets are a polygon, where there is a choice") {
-  // Two cubes with a wall between them, and a flat tetrahedron in the wall. From above a vertex is near, which
-  // sees two of its facets inside their circumballs.
+  // Two cubes with a wall between them, and a flat tetrahedron in the wall. From above a vertex is
+  // near, which sees two of its facets inside their circumballs.
   const std::vector<int> two = {0, 4, 8};
   PiecewiseLinearInput input =
       cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; });
@@ -317,8 +319,8 @@ TEST_CASE("within: a thin polygon that is mirrored") {
 }
 
 TEST_CASE("within: three polygons at one segment, in another order") {
-  // Two of them stand at a tiny angle; each has a vertex on its upper side, from which the order near the
-  // segment follows. The third is far away.
+  // Two of them stand at a tiny angle; each has a vertex on its upper side, from which the order
+  // near the segment follows. The third is far away.
   const auto book = [](long of_first, long of_second) {
     const Rational e = bits(10);
     const std::vector<Point> domain = {{0, 0, 0}, {0, 0, 4}, {8, 0, 0}, {8, 8 * e, 4}, {-4, 1, 2}};
@@ -417,7 +419,7 @@ TEST_CASE("within: in the plane the points on an edge of a convex hull are on it
   input.kind = DomainKind::kHull;
   const Domain square = domain_of(input);
   const auto lines = hull_faces(square.complex.points);
-  CHECK(lines == hull_faces_by_definition(square.complex.points));
+  CHECK(lines == facets_by_definition(square.complex.points, all_vertices(square.complex.points)));
   CHECK(lines.size() == 4);
   CHECK(with_hull_walls(square.complex, lines).segments.size() == 8);
   MovedMesh moved = {

@@ -61,8 +61,9 @@ inline Vertex vertex_at(const PointSet& points, const Point& at) {
   return -1;
 }
 
-// The domain that some cells of a coarse grid fill: the faces of these that no two of them share, and those
-// of the others that `keep_wall` picks, each a polygon (in the plane a segment) of its own.
+// The domain that some cells of a coarse grid fill: the faces of these that no two of them share,
+// and those of the others that `keep_wall` picks, each a polygon (in the plane a segment) of its
+// own.
 using KeepWall = std::function<bool(std::size_t number)>;
 inline PiecewiseLinearInput cells_domain(
     const std::vector<int>& xs, const std::vector<int>& ys, const std::vector<int>& zs,
@@ -123,8 +124,8 @@ inline std::vector<int> refined(const std::vector<int>& values, bool refine) {
   return result;
 }
 
-// Cells of a grid at random, all of its refinements, inner walls at random, slanted; in the plane also a ring
-// around a hole; or all cells, of whose walls some are handed in, as a convex hull.
+// Cells of a grid at random, all of its refinements, inner walls at random, slanted; in the plane
+// also a ring around a hole; or all cells, of whose walls some are handed in, as a convex hull.
 template <class Random>
 MovedMesh random_mesh(Random& random, std::size_t dimension) {
   const auto chance = [&] { return random() % 2 == 0; };
@@ -162,8 +163,9 @@ MovedMesh random_mesh(Random& random, std::size_t dimension) {
   return {slanted(mesh), domain_of(slanted(input))};
 }
 
-// One polygon in space with listed triangles for its mesh: a triangle around a triangular hole, whose triangle
-// is `stray`; or a square of five triangles, with or without a vertex or a slit in it.
+// One polygon in space with listed triangles for its mesh: a triangle around a triangular hole,
+// whose triangle is `stray`; or a square of five triangles, with or without a vertex or a slit in
+// it.
 struct Sheet {
   MovedMesh moved;
   std::optional<Simplex> stray = {};

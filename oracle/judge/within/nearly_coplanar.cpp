@@ -6,7 +6,7 @@
 #include <set>
 
 #include "kernel/boxes/box_index.hpp"
-#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/within/cells.hpp"
@@ -15,16 +15,12 @@
 namespace circumspect::check {
 namespace {
 
-// How much farther than its own height other cells have to be from a polygon that is not flat, and how much if
-// vertices are to move as far as they may in a complex of flat ones.
+// How much farther than its own height other cells have to be from a polygon that is not flat, and
+// how much if vertices are to move as far as they may in a complex of flat ones.
 constexpr long kTimesFarther = 8;
 constexpr long kTimesFarthest = 100;
 // The square of the tangent of 5 degrees, rounded up: no polygon is steeper upon the plane of all.
 const Rational kSquaredSteepest(77, 10'000);
-
-Point crossed(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 template <typename T>
 void keep_sorted(std::vector<T>& items) {
@@ -45,7 +41,7 @@ struct Plane {
 Plane plane_of(const PointSet& points, const Simplex& triangle) {
   const Point& origin = points[triangle[0]];
   Point u = points[triangle[1]] - origin;
-  Point normal = crossed(u, points[triangle[2]] - origin);
+  Point normal = cross_product(u, points[triangle[2]] - origin);
   return {origin, std::move(u), std::move(normal)};
 }
 
@@ -63,14 +59,9 @@ class NearlyCoplanar {
     });
     const Cells cells(complex);
     for (const Cell cell : cells.all()) {
-      for (Simplex& simplex : cells.simplices(cell)) {
-        Box box = box_around(complex.points[simplex.front()]);
-        for (const Vertex v : simplex) box = box_around(box, box_around(complex.points[v]));
-        boxes_.push_back(box);
-        pieces_.push_back(std::move(simplex));
-      }
+      for (Simplex& simplex : cells.simplices(cell)) pieces_.push_back(std::move(simplex));
     }
-    index_.emplace(boxes_);
+    index_.emplace(CellBoxes(complex.points).of(pieces_));
   }
 
   NearlyJoined result() {
@@ -119,7 +110,7 @@ class NearlyCoplanar {
 
   bool are_at_most(const Rational& squared_slope, const Plane& a, const Plane& b) const {
     const Rational along = inner_product(a.normal, b.normal);
-    return squared_length(crossed(a.normal, b.normal)) <= squared_slope * along * along;
+    return squared_length(cross_product(a.normal, b.normal)) <= squared_slope * along * along;
   }
 
   bool is_flat_enough(std::size_t polygon, const Plane& plane) const {
@@ -178,7 +169,7 @@ class NearlyCoplanar {
 
   // Are no two triangles before each other, seen along the normal?
   bool are_beside_each_other(const std::vector<Simplex>& triangles, const Plane& plane) const {
-    const Point w = crossed(plane.normal, plane.u);
+    const Point w = cross_product(plane.normal, plane.u);
     std::map<Vertex, Vertex> place;
     std::vector<Point> flat;
     std::vector<Simplex> flat_triangles;
@@ -210,7 +201,8 @@ class NearlyCoplanar {
     return true;
   }
 
-  // How far the next cell without a vertex in common is, unless it is farther than others ever have to be.
+  // How far the next cell without a vertex in common is, unless it is farther than others ever have
+  // to be.
   std::optional<Rational> squared_distance_to_others(const std::vector<Simplex>& triangles,
                                                      const Rational& squared_height) const {
     const Rational squared_far = kTimesFarthest * kTimesFarthest * squared_height;
@@ -262,7 +254,6 @@ class NearlyCoplanar {
   std::vector<std::size_t> set_;                    // by its seed
   std::map<Simplex, std::vector<std::size_t>> at_;  // segments across which polygons may be joined
   std::vector<Simplex> pieces_;
-  std::vector<Box> boxes_;
   std::optional<BoxIndex> index_;
   Rational squared_height_ = 0;
   std::size_t refused_ = 0;

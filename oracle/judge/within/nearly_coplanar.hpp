@@ -1,5 +1,6 @@
-// Joins polygons that lie nearly in one plane, so that only their union needs an image. docs/theory/within.md has the
-// definition, and what it implies, under "Polygons that are not flat".
+// Joins polygons that lie nearly in one plane, so that only their union needs an image.
+// docs/theory/within.md has the definition, and what it implies, under "Polygons that are not
+// flat".
 #pragma once
 
 #include <optional>
@@ -15,24 +16,26 @@ struct Flatness {
   Rational squared_distance;  // of each vertex from the plane of all
 };
 
-// A complex some of whose polygons are not flat: the plane of such a polygon is that of its first triangle.
-// Of it `judge_within` alone knows what to make.
+// A complex some of whose polygons are not flat: the plane of such a polygon is that of its first
+// triangle. Of it `judge_within` alone knows what to make.
 struct NearlyJoined {
   PiecewiseLinearComplex complex;
   std::vector<std::vector<std::size_t>> members;  // of each polygon, ascending
   std::size_t removed_segments = 0;
   Rational squared_height = 0;  // how far at most a vertex is from the plane of a polygon it is in
   std::size_t refused = 0;      // sets of polygons that are flat enough and yet were not joined
-  // Images keep apart what is apart if no vertex moves farther than this; none: whatever `judge_within` allows.
+  // Images keep apart what is apart if no vertex moves farther than this; none: whatever
+  // `judge_within` allows.
   std::optional<Rational> squared_limit = {};
 };
 
-// From the largest polygon to the smallest, each that is still alone takes in those beside it, and those
-// beside these, across segments that two polygons have and nothing else, as long as the angle there is small enough, as
-// TetGen asks it, and they are flat enough for its own plane, with which none makes more than 5 degrees. Such a set is not joined if two of its polygons are before each other, seen along the
-// normal of the plane, or if a cell that has no vertex in common with it is nearer to it than 8
-// times the distance of its own vertices from the plane. Up to 100 times that distance, such a cell
-// limits how far vertices may be moved.
+// From the largest polygon to the smallest, each that is still alone takes in those beside it, and
+// those beside these, across segments that two polygons have and nothing else, as long as the angle
+// there is small enough, as TetGen asks it, and they are flat enough for its own plane, with which
+// none makes more than 5 degrees. Such a set is not joined if two of its polygons are before each
+// other, seen along the normal of the plane, or if a cell that has no vertex in common with it is
+// nearer to it than 8 times the distance of its own vertices from the plane. Up to 100 times that
+// distance, such a cell limits how far vertices may be moved.
 // Requires: a valid complex in space; `listed`: as `listed_segments` says.
 NearlyJoined nearly_coplanar_polygons_joined(const PiecewiseLinearComplex& complex,
                                              const std::vector<Simplex>& listed,

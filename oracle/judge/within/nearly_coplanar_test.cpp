@@ -32,7 +32,8 @@ std::size_t joined_polygons(const PiecewiseLinearInput& input, long bits) {
       .complex.polygons.size();
 }
 
-// A cube whose corner 7 is a few billionths off; squares cut across the diagonals 12, 56, 14, 36, 24, 35.
+// A cube whose corner 7 is a few billionths off; squares cut across the diagonals 12, 56, 14, 36,
+// 24, 35.
 PiecewiseLinearInput bent_cube() {
   PiecewiseLinearInput cube = generators::box(0, 1);
   cube.points[7] = {1 + 2 * kBit, 1 - kBit, 1 + 3 * kBit};

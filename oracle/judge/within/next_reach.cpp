@@ -20,8 +20,8 @@ void make_ascending(std::vector<Vertex>& vertices) {
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-// Goes from the paths of the segments of a polygon to the triangles beside them, and from these on, wherever just one
-// triangle near the polygon is on the side of an edge on which the image has one.
+// Goes from the paths of the segments of a polygon to the triangles beside them, and from these on,
+// wherever just one triangle near the polygon is on the side of an edge on which the image has one.
 class ForcedPatch {
  public:
   ForcedPatch(const std::vector<Simplex>& near, const SeenFromAbove& seen) {
@@ -96,7 +96,8 @@ class ForcedPatch {
   Forced forced_;
 };
 
-// The least reach, from one on, at which a vertex has a carrier of the kind that is wanted; null if there is none.
+// The least reach, from one on, at which a vertex has a carrier of the kind that is wanted; null if
+// there is none.
 template <class IsWanted>
 const Rational* least_with_carrier(const Reaches& reaches, Vertex v, const Rational* from,
                                    const IsWanted& is_wanted) {

@@ -3,6 +3,7 @@
 
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
+#include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
 
 namespace circumspect::check {
@@ -41,7 +42,8 @@ struct Square {
 }  // namespace
 
 TEST_CASE("next reach: a triangle that another one may stand for is in no hurry") {
-  // Four triangles around vertex 5, and before them in order one at vertex 4, which is near the square and in no image.
+  // Four triangles around vertex 5, and before them in order one at vertex 4, which is near the
+  // square and in no image.
   Square square;
   square.points.push_back({4, 2, bits(5)});
   square.points.push_back({4, 4, bits(2)});
@@ -56,7 +58,8 @@ TEST_CASE("next reach: a triangle that another one may stand for is in no hurry"
 
 TEST_CASE(
     "next reach: a path that goes through one vertex more may be the one that has triangles") {
-  // Vertex 4 is in the square, 5 bits from its side 0 1. That is an edge of a triangle that leads away, and no other.
+  // Vertex 4 is in the square, 5 bits from its side 0 1. That is an edge of a triangle that leads
+  // away, and no other.
   Square square;
   square.points.push_back({4, bits(5), 0});
   square.points.push_back({4, -3, -9});
@@ -68,7 +71,8 @@ TEST_CASE(
 }
 
 TEST_CASE("next reach: of a path, too, one of several edges that lead ahead is in no hurry") {
-  // Vertices 5 and 4 are near the side 0 1, one after the other. There is an edge from 0 to each of them.
+  // Vertices 5 and 4 are near the side 0 1, one after the other. There is an edge from 0 to each of
+  // them.
   Square square;
   square.points.push_back({5, bits(7), 0});
   square.points.push_back({3, bits(2), 0});
@@ -79,7 +83,8 @@ TEST_CASE("next reach: of a path, too, one of several edges that lead ahead is i
 }
 
 TEST_CASE("next reach: a vertex that must not be in the polygon may come to be in a side of it") {
-  // Vertex 4 is in the square, and in no triangle of it but those at the side that it is 3 bits from.
+  // Vertex 4 is in the square, and in no triangle of it but those at the side that it is 3 bits
+  // from.
   Square square;
   square.points.push_back({4, bits(3), 0});
   square.points.push_back({4, -5, 0});

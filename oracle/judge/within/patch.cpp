@@ -21,8 +21,8 @@ Vertex apex(const Simplex& triangle, const Edge& edge) {
 Edge reverse(const Edge& edge) { return {edge.second, edge.first}; }
 
 // Finds the image of one polygon: from the paths of its segments, on the sides on which the polygon
-// lies, across all other edges. Where several triangles are on one side of an edge, there is something
-// flat between them, which is to lie inside the domain or else above.
+// lies, across all other edges. Where several triangles are on one side of an edge, there is
+// something flat between them, which is to lie inside the domain or else above.
 class PatchSearch {
  public:
   struct Link {
@@ -74,15 +74,16 @@ class PatchSearch {
               [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
-  // All candidates, if they are an image: then there is nothing to choose. Else something else or nothing.
+  // All candidates, if they are an image: then there is nothing to choose. Else something else or
+  // nothing.
   ImageOr<Patch> all(const std::vector<Vertex>& must_have) {
     lowest_.assign(own_.size(), false);
     choices_.clear();
     return flooded(must_have);
   }
 
-  // Which of several triangles beside an edge: the lowest, as seen with the normal upwards, if what is
-  // flat is to lie above the patch.
+  // Which of several triangles beside an edge: the lowest, as seen with the normal upwards, if what
+  // is flat is to lie above the patch.
   template <class IsFlatAbove>
   ImageOr<Patch> found(const std::vector<Vertex>& must_have, const IsFlatAbove& is_flat_above) {
     lowest_.clear();
@@ -104,7 +105,8 @@ class PatchSearch {
  private:
   static constexpr std::size_t kMostTries = 1000;
 
-  // Of so many triangles beside an edge the one at this place, in their order from the first that is wanted.
+  // Of so many triangles beside an edge the one at this place, in their order from the first that
+  // is wanted.
   struct Choice {
     std::size_t of;
     std::size_t place;
@@ -226,8 +228,8 @@ class PatchSearch {
       if (parts(a, b) || parts(b, a)) return std::nullopt;
       return Witness{.simplices = {sorted(a), sorted(b)}, .polygon = number_};
     };
-    // All vertices are within reach of the plane. So triangles that project on each other are at most two
-    // reaches apart.
+    // All vertices are within reach of the plane. So triangles that project on each other are at
+    // most two reaches apart.
     std::optional<BoxIndex> index;
     constexpr std::size_t kFew = 12;
     if (boxes.size() > kFew) index.emplace(boxes);
@@ -246,8 +248,9 @@ class PatchSearch {
     return std::nullopt;
   }
 
-  // Has the line through an edge of a triangle another one on its far side? Two counterclockwise triangles of the
-  // plane have no interior points in common if, and only if, it is so for an edge of one of them.
+  // Has the line through an edge of a triangle another one on its far side? Two counterclockwise
+  // triangles of the plane have no interior points in common if, and only if, it is so for an edge
+  // of one of them.
   bool parts(const Simplex& triangle, const Simplex& other) const {
     for (const Edge& edge : edges(triangle)) {
       const bool beyond = std::all_of(other.begin(), other.end(), [&](Vertex v) {
@@ -291,7 +294,8 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
   const PiecewiseLinearComplex& complex = cells_.complex();
   const Cell cell = {2, polygon};
   const SeenFromAbove seen = seen_from_above(polygon);
-  // Where only the images of its three vertices are near a triangle, theirs is its image or nothing is.
+  // Where only the images of its three vertices are near a triangle, theirs is its image or nothing
+  // is.
   if (complex.polygons[polygon].triangles.size() == 1 && reaches_.near(cell).size() == 3) {
     const Simplex own = seen.own(complex.polygons[polygon].triangles.front());
     Simplex triangle;

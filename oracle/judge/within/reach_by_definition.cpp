@@ -1,21 +1,20 @@
 // The same answer from the room of definitions: its images of cells as the patches and carriers of
 // this folder.
+#include "oracle/judge/within/reach_by_definition.hpp"
+
 #include <utility>
 
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/within.hpp"
-#include "oracle/judge/within/reach_search.hpp"
 
 namespace circumspect::check {
 namespace {
 
 definition::MovedDomain moved_domain(const ExactMesh& mesh, const std::vector<bool>& used,
                                      const Cells& cells, const Regions& regions) {
-  std::vector<Simplex> listed = mesh.simplices;
-  listed.insert(listed.end(), mesh.faces.begin(), mesh.faces.end());
   definition::MovedDomain moved{cells.complex(), regions, mesh, used, {}};
   moved.triangles_meant.resize(cells.complex().polygons.size());
-  for (const Simplex& triangle : definition::faces_of(listed, 3)) {
+  for (const Simplex& triangle : faces_of(mesh.simplices_and_faces(), 3)) {
     for (std::size_t p = 0; p < moved.triangles_meant.size(); ++p) {
       if (cells.is_marked(triangle, p)) moved.triangles_meant[p].push_back(triangle);
     }
@@ -42,7 +41,7 @@ ReachAnswer found(definition::LeastReach reach, const PiecewiseLinearComplex& co
   }
   for (const auto& carrier : reach.carriers) {
     answer.carriers.emplace_back();
-    if (carrier) answer.carriers.back().cell = Cell{carrier->dimension, carrier->place};
+    answer.carriers.back().cell = carrier;
   }
   answer.moved.assign(reach.carriers.size(), true);
   return answer;

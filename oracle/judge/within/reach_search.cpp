@@ -7,8 +7,8 @@ namespace {
 
 using Kind = ReachAnswer::Kind;
 
-// Each step goes to the least reach that is not certain to fail: what is wrong with a cell stays wrong until
-// a vertex of its image, or one that would be, is carried by another cell.
+// Each step goes to the least reach that is not certain to fail: what is wrong with a cell stays
+// wrong until a vertex of its image, or one that would be, is carried by another cell.
 class ReachSearch {
  public:
   ReachSearch(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded,
@@ -100,8 +100,8 @@ class ReachSearch {
     }
   }
 
-  // Where two cells of the lowest dimension are within reach of a vertex, only one of lower dimension, farther
-  // away, can make it clear.
+  // Where two cells of the lowest dimension are within reach of a vertex, only one of lower
+  // dimension, farther away, can make it clear.
   bool carriers_are_single() {
     std::optional<Rational> least;
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
@@ -193,8 +193,9 @@ std::pair<Rational, Rational> extent(const std::vector<Point>& points) {
 
 }  // namespace
 
-// At a small reach first: the answer does not depend on the limit once there is one, and a limit that is
-// large for the mesh makes everything near everything. Programs that round are off by some 10⁻¹⁶ to 10⁻¹⁴.
+// At a small reach first: the answer does not depend on the limit once there is one, and a limit
+// that is large for the mesh makes everything near everything. Programs that round are off by some
+// 10⁻¹⁶ to 10⁻¹⁴.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
                         const Regions& regions, const Rational& squared_limit, unsigned threads,
                         Work& work) {

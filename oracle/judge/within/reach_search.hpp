@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "oracle/judge/within/images.hpp"
+#include "oracle/judge/within/image_set.hpp"
 
 namespace circumspect::check {
 
 struct ReachAnswer {
-  // kFound: `images` at `squared_reach`. kNone: there is no such reach up to the limit; `breaches` are what
-  // is wrong at squared_reach, which mends whatever a reach up to the limit mends. kAmbiguous: the least
-  // reach that is left is squared_reach, from which on reaches are ambiguous, for `reason`. kOpen: the images
-  // at squared_reach are not forced, for `reason`.
+  // kFound: `images` at `squared_reach`. kNone: there is no such reach up to the limit; `breaches`
+  // are what is wrong at squared_reach, which mends whatever a reach up to the limit mends.
+  // kAmbiguous: the least reach that is left is squared_reach, from which on reaches are ambiguous,
+  // for `reason`. kOpen: the images at squared_reach are not forced, for `reason`.
   // kTooMuchWork: the search was given up.
   enum class Kind { kFound, kNone, kAmbiguous, kOpen, kTooMuchWork };
   Kind kind = Kind::kNone;
@@ -27,25 +27,10 @@ struct ReachAnswer {
   std::vector<bool> moved = {};        // is it off the cell that carries it?
 };
 
-// Requires: simplices and listed faces that are sound each by itself; a domain of the kind enclosed.
+// Requires: simplices and listed faces that are sound each by itself; a domain of the kind
+// enclosed.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
                         const Regions& regions, const Rational& squared_limit, unsigned threads,
                         Work& work);
-
-// ---- By definition ----
-// The definition of docs/theory/within.md, word for word.
-
-// As least_reach, by trying every distance and every set of triangles. Exponential in the number of triangles
-// near a polygon. Of what it does not find it only says whether it passed over ambiguous reaches.
-// Requires: as least_reach; at most kMostTriangles triangles of the mesh near a polygon.
-ReachAnswer least_reach_by_definition(const ExactMesh& mesh, const std::vector<bool>& used,
-                                      const Cells& cells, const Regions& regions,
-                                      const Rational& squared_limit);
-inline constexpr std::size_t kMostTriangles = 14;
-
-// Is it within the requirement?
-bool is_small_enough_for_definition(const ExactMesh& mesh, const std::vector<bool>& used,
-                                    const Cells& cells, const Rational& squared_limit,
-                                    std::size_t most = kMostTriangles);
 
 }  // namespace circumspect::check

@@ -1,4 +1,5 @@
-// The distances of the vertices of a mesh from the cells of a domain, and the cell that carries each vertex.
+// The distances of the vertices of a mesh from the cells of a domain, and the cell that carries
+// each vertex.
 #pragma once
 
 #include <memory>
@@ -12,9 +13,9 @@
 
 namespace circumspect::check {
 
-// The cell of lowest dimension that is within reach of a vertex; no cell: the vertex is free. If a second
-// cell of the same dimension is within reach as well, the vertex has no carrier either, and the reach
-// is ambiguous.
+// The cell of lowest dimension that is within reach of a vertex; no cell: the vertex is free. If a
+// second cell of the same dimension is within reach as well, the vertex has no carrier either, and
+// the reach is ambiguous.
 struct Carrier {
   std::optional<Cell> cell = {};
   std::optional<Cell> second = {};
@@ -23,8 +24,9 @@ struct Carrier {
   bool is_one() const { return cell && !second; }
 };
 
-// Distances of a cell that has a vertex of the domain within the least reach (see Reaches) need not be exact: no reach
-// that is asked about is smaller. Then it is that of the vertex, which is no less.
+// Distances of a cell that has a vertex of the domain within the least reach (see Reaches) need not
+// be exact: no reach that is asked about is smaller. Then it is that of the vertex, which is no
+// less.
 struct ToCell {
   Cell cell;
   std::shared_ptr<const Rational> distance;  // its square; cells at a vertex share it
@@ -68,8 +70,9 @@ class DomainPieces {
   // Requires: cells that do not meet are more than two limits apart.
   void add_cells_near(const At& point, const Limit& limit, const Rational& squared_least,
                       std::vector<ToCell>& found) const;
-  // The two cells that do not meet and are least apart, if any are at most so far apart. One is a vertex,
-  // or both are segments: two cells of higher dimension are nowhere nearer to each other than such faces of them.
+  // The two cells that do not meet and are least apart, if any are at most so far apart. One is a
+  // vertex, or both are segments: two cells of higher dimension are nowhere nearer to each other
+  // than such faces of them.
   std::optional<ApartCells> least_apart(const Rational& squared_limit, unsigned threads) const;
 
  private:
@@ -86,7 +89,8 @@ class DomainPieces {
 
 class Reaches {
  public:
-  // All distances up to a limit. `rounded`: the points of the mesh; `used`: which of them are vertices of it.
+  // All distances up to a limit. `rounded`: the points of the mesh; `used`: which of them are
+  // vertices of it.
   Reaches(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded,
           const std::vector<bool>& used, const Cells& cells, const DomainPieces& pieces,
           const Rational& squared_limit, unsigned threads);
@@ -100,8 +104,8 @@ class Reaches {
     const Rational& squared() const { return *distance; }
   };
 
-  // The square of the least reach that can do: each vertex of the domain carries one of the mesh. Of smaller ones nothing
-  // may be asked.
+  // The square of the least reach that can do: each vertex of the domain carries one of the mesh.
+  // Of smaller ones nothing may be asked.
   const Rational& squared_least() const { return squared_least_; }
   // The cells up to the limit from a vertex: see DomainPieces::add_cells_near.
   const std::vector<ToCell>& of(Vertex v) const { return of_[static_cast<std::size_t>(v)]; }

@@ -17,7 +17,8 @@ inline std::array<Edge, 3> edges(const Simplex& triangle) {
   return {{{triangle[0], triangle[1]}, {triangle[1], triangle[2]}, {triangle[2], triangle[0]}}};
 }
 
-// The normal of a polygon whose first coordinate that is not zero is positive. Above is where it points.
+// The normal of a polygon whose first coordinate that is not zero is positive. Above is where it
+// points.
 Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon);
 
 // Which triangles are counterclockwise seen from above a polygon. Doubles decide where they can.
@@ -40,9 +41,7 @@ class SeenFromAbove {
   std::size_t polygon_;
   const PointSet& points_;
   const std::vector<RoundedPoint>& rounded_;
-  std::array<double, 3> normal_;
-  double size_;  // no product in the normal is larger
-  bool is_double_;
+  Triple<Interval> normal_;
   bool is_reversed_;  // is the normal not that of the polygon's first triangle?
   mutable Point exact_normal_;
 };

@@ -7,8 +7,9 @@
 
 namespace circumspect::check {
 
-// Counts steps of about a microsecond each. Whether more are taken than a search may take depends neither on the machine
-// nor on the number of threads, so a search that gives up does so everywhere.
+// Counts steps of about a microsecond each. Whether more are taken than a search may take depends
+// neither on the machine nor on the number of threads, so a search that gives up does so
+// everywhere.
 class Work {
  public:
   explicit Work(std::size_t most = std::numeric_limits<std::size_t>::max()) : most_(most) {}

@@ -58,7 +58,8 @@ MovedMesh strip(int length, Random& random) {
 
 TEST_CASE(
     "within: four times as many vertices in a polygon or a segment take four times the work") {
-  // Each vertex is at another distance. A search that goes from one distance to the next takes 16 times as much.
+  // Each vertex is at another distance. A search that goes from one distance to the next takes 16
+  // times as much.
   Random random(1);
   const Rational squared(1, 10'000);
   for (const auto& make : {&sheet, &strip}) {

@@ -2,6 +2,7 @@
 // JSON that stands in the page.
 import { relativeDepth } from './drawing.js';
 import { button, element, svg, table } from './elements.js';
+import { histogram } from './histogram.js';
 import { Solid, colourOf } from './solid.js';
 import { player } from './player.js';
 import { View } from './view.js';
@@ -212,6 +213,7 @@ function section(result, first) {
   if (result.steps?.left_out) parts.push(element('p', { class: 'note' }, result.steps.left_out));
   if (result.cards_note) parts.push(element('p', { class: 'note' }, result.cards_note));
   if (result.facts) parts.push(told(result.facts, heading));
+  parts.push(...(result.histograms ?? []).map(histogram));
   if (result.steps) parts.push(player(result.steps, stage, views));
   if (result.overview) parts.push(whole(result.overview, first, heading));
   cardsOf(result).forEach((v, i) => parts.push(

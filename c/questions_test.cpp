@@ -1,0 +1,78 @@
+// What the C interface says about hulls, surfaces and Voronoi diagrams, and what it refuses.
+#include <string>
+#include <vector>
+
+#include <circumspect/circumspect.h>
+#include <doctest/doctest.h>
+
+#include "c/calls_test.hpp"
+
+namespace circumspect::c {
+namespace {
+
+TEST_CASE("demands are named by words, and asked of the claim that has them") {
+  const std::vector<double> points = {0, 0, 4, 0, 4, 4, 0, 4, 2, 0};
+  const std::vector<std::int32_t> edges = {0, 1, 1, 2, 2, 3, 3, 0};
+  circumspect_mesh mesh = mesh_of(points, edges);
+  mesh.vertices_of_simplex = 2;
+  mesh.simplex_count = 4;
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  const auto holds = [&](const char* claim, const char* demands) {
+    options.demands = demands;
+    return circumspect_verdict_holds(check(claim, &mesh, nullptr, &options).verdict.get());
+  };
+  CHECK(holds("convex-hull", nullptr) == 1);
+  CHECK(holds("convex-hull", "only-extreme") == 1);
+  CHECK(holds("convex-hull", "only-extreme all-boundary-points") == 0);
+  CHECK(holds("complex", "allow-unused closed manifold connected") == 1);
+  CHECK(holds("complex", "closed") == 0);
+  CHECK(check("delaunay", &mesh, nullptr, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(has(circumspect_last_error(), "expected demands of the claim delaunay, which has none"));
+  options.demands = "extreme";
+  CHECK(check("convex-hull", &mesh, nullptr, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(has(circumspect_last_error(), "all-boundary-points only-extreme; found 'extreme'"));
+}
+
+TEST_CASE("cells are judged within a distance and a box") {
+  const std::vector<double> sites = {0, 0, 4, 0, 4, 4, 0, 4};
+  std::vector<double> vertices = {2, 2.5};
+  const std::vector<std::int64_t> starts = {0, 2, 4, 6, 8}, corners = {0, -1, 0, -1, 0, -1, 0, -1},
+                                  ridges = {0, 1, 1, 2, 2, 3, 3, 0};
+  circumspect_voronoi diagram = CIRCUMSPECT_VORONOI;
+  diagram.dimension = 2;
+  diagram.site_count = 4;
+  diagram.sites = sites.data();
+  diagram.vertex_count = 1;
+  diagram.vertices = vertices.data();
+  diagram.cell_starts = starts.data();
+  diagram.corners = corners.data();
+  diagram.ridge_count = 4;
+  diagram.ridges = ridges.data();
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  const auto holds = [&] {
+    circumspect_verdict* verdict = nullptr;
+    REQUIRE(circumspect_check_voronoi(&diagram, &options, &verdict) == CIRCUMSPECT_OK);
+    const int answer = circumspect_verdict_holds(verdict);
+    circumspect_verdict_free(verdict);
+    return answer;
+  };
+  CHECK(holds() == 0);
+  options.within = "1/2";
+  CHECK(holds() == 1);
+  options.within = "0.499";
+  CHECK(holds() == 0);
+  const std::vector<double> box = {0, 3, 4, 4};
+  diagram.box = box.data();
+  CHECK(holds() == 1);
+  circumspect_verdict* verdict = nullptr;
+  diagram.ridge_count = 0;
+  CHECK(circumspect_check_voronoi(&diagram, &options, &verdict) == CIRCUMSPECT_INPUT_FAULT);
+  diagram.ridge_count = -1;
+  CHECK(circumspect_check_voronoi(&diagram, &options, &verdict) == CIRCUMSPECT_INVALID_ARGUMENT);
+  diagram.dimension = 4;
+  CHECK(circumspect_check_voronoi(&diagram, &options, &verdict) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_check_voronoi(nullptr, &options, &verdict) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
+}  // namespace
+}  // namespace circumspect::c

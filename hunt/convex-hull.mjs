@@ -1,0 +1,3 @@
+import { load, serve } from './lines.mjs';
+const hull = (await load('convex-hull')).default;
+serve(points => hull(points));

@@ -1,0 +1,345 @@
+#include "oracle/certificate/complex_certificate.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numeric>
+
+#include "kernel/boxes/box_index.hpp"
+#include "kernel/complex/simplex.hpp"
+
+namespace circumspect::certificate {
+namespace {
+
+using Vector = std::vector<Integer>;
+
+struct Hyperplane {
+  Vector normal;
+  Integer offset;
+
+  Integer at(const Vector& p) const {
+    Integer value = -offset;
+    for (std::size_t axis = 0; axis < p.size(); ++axis) value += normal[axis] * p[axis];
+    return value;
+  }
+};
+
+// Through d points of R^d, d being 2 or 3; its normal is 0 if they are not affinely independent.
+Hyperplane through(const std::vector<Vector>& points) {
+  const auto difference = [&](std::size_t i, std::size_t axis) {
+    return Integer(points[i][axis] - points[0][axis]);
+  };
+  Hyperplane plane{{}, 0};
+  if (points.size() == 2) {
+    plane.normal = {difference(1, 1), -difference(1, 0)};
+  } else {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t next = (axis + 1) % 3;
+      const std::size_t last = (axis + 2) % 3;
+      plane.normal.emplace_back(difference(1, next) * difference(2, last) -
+                                difference(1, last) * difference(2, next));
+    }
+  }
+  Integer common = 0;
+  for (const Integer& x : plane.normal) common = gcd(common, x);
+  if (common == 0) return plane;
+  for (Integer& x : plane.normal) x /= common;
+  plane.offset = plane.at(points[0]);
+  return plane;
+}
+
+bool is_zero(const Hyperplane& plane) {
+  return std::all_of(plane.normal.begin(), plane.normal.end(),
+                     [](const Integer& x) { return x == 0; });
+}
+
+class Partings {
+ public:
+  Partings(const ExactMesh& mesh, const ScaledPoints& points) : mesh_(mesh), points_(points) {
+    for (const Simplex& simplex : mesh.simplices) own_planes_.push_back(own_planes(simplex));
+  }
+
+  std::vector<Vector> pads(const Simplex& simplex) const;
+  // Nothing if the hyperplane of a facet shows it.
+  std::optional<Parting> between(std::size_t s, std::size_t t) const;
+
+ private:
+  Vector place(Vertex v) const {
+    Vector p;
+    for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+      p.push_back(points_.coordinate(v, axis));
+    }
+    return p;
+  }
+  std::vector<Vector> places(const Simplex& simplex) const {
+    std::vector<Vector> all;
+    for (const Vertex v : simplex) all.push_back(place(v));
+    return all;
+  }
+  // Outward; of a simplex in a hyperplane, both sides of this one.
+  std::vector<Hyperplane> own_planes(const Simplex& simplex) const;
+  // Points that span, together with the vertices of both, the plane or space.
+  std::vector<Vector> completed(const Simplex& a, const Simplex& b) const;
+  bool parts(const Hyperplane& plane, const Simplex& above, const Simplex& below) const;
+
+  const ExactMesh& mesh_;
+  const ScaledPoints& points_;
+  std::vector<std::vector<Hyperplane>> own_planes_;
+};
+
+std::vector<Hyperplane> Partings::own_planes(const Simplex& simplex) const {
+  const std::vector<Vector> all = places(simplex);
+  if (all.size() == points_.dimension) {
+    Hyperplane plane = through(all);
+    Hyperplane other{{}, -plane.offset};
+    for (const Integer& x : plane.normal) other.normal.emplace_back(-x);
+    return {std::move(plane), std::move(other)};
+  }
+  std::vector<Hyperplane> planes;
+  if (all.size() != points_.dimension + 1) return planes;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::vector<Vector> facet = all;
+    facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(i));
+    Hyperplane plane = through(facet);
+    if (plane.at(all[i]) > 0) {
+      for (Integer& x : plane.normal) x = -x;
+      plane.offset = -plane.offset;
+    }
+    planes.push_back(std::move(plane));
+  }
+  return planes;
+}
+
+std::vector<Vector> Partings::pads(const Simplex& simplex) const {
+  const std::vector<Vector> all = places(simplex);
+  const std::size_t d = points_.dimension;
+  std::vector<bool> is_wanted(d, true);  // the axes along which there is a pad
+  if (all.size() == d + 1) return {};
+  const auto spare_one = [&](const Vector& direction) {
+    std::size_t axis = 0;
+    while (direction[axis] == 0) ++axis;
+    is_wanted[axis] = false;
+  };
+  if (all.size() == 2) {
+    Vector direction = all[1];
+    for (std::size_t axis = 0; axis < d; ++axis) direction[axis] -= all[0][axis];
+    spare_one(direction);
+  } else if (all.size() == 3) {  // a triangle in space: only the axis that leaves its plane
+    const Vector normal = through(all).normal;
+    std::size_t axis = 0;
+    while (normal[axis] == 0) ++axis;
+    is_wanted.assign(d, false);
+    is_wanted[axis] = true;
+  }
+  std::vector<Vector> made;
+  for (std::size_t axis = 0; axis < d; ++axis) {
+    if (!is_wanted[axis]) continue;
+    made.push_back(all[0]);
+    made.back()[axis] += 1;
+  }
+  return made;
+}
+
+bool Partings::parts(const Hyperplane& plane, const Simplex& above, const Simplex& below) const {
+  return std::all_of(above.begin(), above.end(),
+                     [&](Vertex v) {
+                       const int sign = sgn(plane.at(place(v)));
+                       return sign > 0 || (sign == 0 && contains(below, v));
+                     }) &&
+         std::all_of(below.begin(), below.end(), [&](Vertex v) { return plane.at(place(v)) <= 0; });
+}
+
+std::vector<Vector> Partings::completed(const Simplex& a, const Simplex& b) const {
+  std::vector<Vector> all = places(a);
+  for (const Vertex v : b) {
+    if (!contains(a, v)) all.push_back(place(v));
+  }
+  // Each point that leaves the affine hull of those before it; then so does one along an axis.
+  const std::size_t d = points_.dimension;
+  std::vector<Vector> basis;  // differences, in row echelon form
+  const auto leaves = [&](Vector u) {
+    for (const Vector& row : basis) {
+      std::size_t pivot = 0;
+      while (row[pivot] == 0) ++pivot;
+      const Integer factor = u[pivot];
+      if (factor == 0) continue;
+      for (std::size_t axis = 0; axis < d; ++axis) {
+        u[axis] = u[axis] * row[pivot] - factor * row[axis];
+      }
+    }
+    if (std::all_of(u.begin(), u.end(), [](const Integer& x) { return x == 0; })) return false;
+    basis.push_back(std::move(u));
+    return true;
+  };
+  for (const Vector& p : all) {
+    Vector u = p;
+    for (std::size_t axis = 0; axis < d; ++axis) u[axis] -= all[0][axis];
+    leaves(std::move(u));
+  }
+  const Vector origin = all[0];
+  for (std::size_t axis = 0; axis < d; ++axis) {
+    Vector u(d, 0);
+    u[axis] = 1;
+    if (!leaves(std::move(u))) continue;
+    all.push_back(origin);
+    all.back()[axis] += 1;
+  }
+  return all;
+}
+
+std::optional<Parting> Partings::between(std::size_t s, std::size_t t) const {
+  const Simplex& a = mesh_.simplices[s];
+  const Simplex& b = mesh_.simplices[t];
+  for (const Hyperplane& plane : own_planes_[s]) {
+    if (parts(plane, b, a)) return std::nullopt;
+  }
+  for (const Hyperplane& plane : own_planes_[t]) {
+    if (parts(plane, a, b)) return std::nullopt;
+  }
+  // The hyperplanes that do not cross the two make a cone, whose extreme rays go through d points: the sum of these is in
+  // no face of it (docs/theory/complex.md).
+  const std::size_t d = points_.dimension;
+  const std::vector<Vector> all = completed(a, b);
+  Hyperplane sum{Vector(d, 0), 0};
+  std::vector<bool> is_chosen(all.size(), false);
+  std::fill_n(is_chosen.begin(), d, true);
+  do {
+    std::vector<Vector> chosen;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (is_chosen[i]) chosen.push_back(all[i]);
+    }
+    const Hyperplane plane = through(chosen);
+    if (is_zero(plane)) continue;
+    const auto lies = [&](const Simplex& simplex, int side) {
+      return std::all_of(simplex.begin(), simplex.end(),
+                         [&](Vertex v) { return sgn(plane.at(place(v))) * side >= 0; });
+    };
+    for (const int side : {1, -1}) {
+      if (!lies(a, side) || !lies(b, -side)) continue;
+      for (std::size_t axis = 0; axis < d; ++axis) sum.normal[axis] += side * plane.normal[axis];
+      sum.offset += side * plane.offset;
+    }
+  } while (std::prev_permutation(is_chosen.begin(), is_chosen.end()));
+  assert(parts(sum, a, b));
+  return Parting{t, std::move(sum.normal), std::move(sum.offset)};
+}
+
+// Halves those from `first` on again and again, at the median of the longest side of the box around their centres.
+void put_near(std::vector<std::size_t>::iterator first, std::vector<std::size_t>::iterator last,
+              const std::vector<std::vector<double>>& centres) {
+  constexpr std::ptrdiff_t kFew = 2;
+  if (last - first <= kFew) return;
+  std::size_t longest = 0;
+  double length = -1;
+  for (std::size_t axis = 0; axis < centres[*first].size(); ++axis) {
+    const auto [low, high] = std::minmax_element(
+        first, last, [&](auto s, auto t) { return centres[s][axis] < centres[t][axis]; });
+    const double extent = centres[*high][axis] - centres[*low][axis];
+    if (extent > length) {
+      longest = axis;
+      length = extent;
+    }
+  }
+  // Halves of a length that is a power of two stay together in the tree that the checker makes.
+  std::ptrdiff_t half = 1;
+  while (2 * half < last - first) half *= 2;
+  std::nth_element(first, first + half, last,
+                   [&](auto s, auto t) { return centres[s][longest] < centres[t][longest]; });
+  put_near(first, first + half, centres);
+  put_near(first + half, last, centres);
+}
+
+std::vector<std::size_t> near_sequence(const std::vector<Box>& boxes, std::size_t dimension) {
+  std::vector<std::vector<double>> centres;
+  for (const Box& box : boxes) {
+    centres.emplace_back();
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      centres.back().push_back(box.low[axis] / 2 + box.high[axis] / 2);
+    }
+  }
+  std::vector<std::size_t> sequence(boxes.size());
+  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
+  put_near(sequence.begin(), sequence.end(), centres);
+  return sequence;
+}
+
+}  // namespace
+
+ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints points) {
+  ComplexCertificate made{.points = std::move(points)};
+  made.order = lexicographic_order(made.points);
+  made.incidences.resize(made.points.size());
+  std::vector<Box> boxes;
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    const Simplex& simplex = mesh.simplices[s];
+    boxes.push_back(box_around(mesh.points[simplex[0]]));
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      boxes.back() = box_around(boxes.back(), box_around(mesh.points[simplex[i]]));
+      made.incidences[static_cast<std::size_t>(simplex[i])] = {static_cast<std::uint32_t>(s), i};
+    }
+  }
+  made.sequence = near_sequence(boxes, made.points.dimension);
+  const Partings partings(mesh, made.points);
+  const BoxIndex index(boxes);
+  made.partings.resize(mesh.simplices.size());
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    made.pads.push_back(partings.pads(mesh.simplices[s]));
+    // The checker's boxes have no edges cut off.
+    Box box = boxes[s];
+    for (std::size_t i = 3; i < box.low.size(); ++i) {
+      box.low[i] = -std::numeric_limits<double>::infinity();
+      box.high[i] = std::numeric_limits<double>::infinity();
+    }
+    for (const std::size_t t : index.meeting(box)) {
+      if (t <= s) continue;
+      if (auto parting = partings.between(s, t)) made.partings[s].push_back(std::move(*parting));
+    }
+  }
+  return made;
+}
+
+void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& certificate) {
+  Lines lines(out);
+  write_first_line(lines, "circumspect-certificate 1", Claim::kComplex,
+                   certificate.points.dimension);
+  write_scale(lines, certificate.points);
+  lines << "points" << certificate.order.size();
+  lines.end_line();
+  std::vector<std::size_t> number(certificate.order.size());
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const Vertex v = certificate.order[i];
+    number[static_cast<std::size_t>(v)] = i + 1;
+    write_point(lines, certificate.points, v, false);
+    const Incidence& incidence = certificate.incidences[static_cast<std::size_t>(v)];
+    lines.gap() << incidence.simplex + 1 << *incidence.place << mesh.label(v);
+    lines.end_line();
+  }
+  std::vector<std::size_t> place(certificate.sequence.size());
+  for (std::size_t i = 0; i < place.size(); ++i) place[certificate.sequence[i]] = i + 1;
+  lines << "simplices" << mesh.simplices.size() << mesh.simplices.front().size();
+  lines.end_line();
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    for (const Vertex v : mesh.simplices[s]) lines << number[static_cast<std::size_t>(v)];
+    lines.gap() << place[s];
+    for (const std::vector<Integer>& pad : certificate.pads[s]) {
+      lines.gap();
+      for (const Integer& x : pad) lines << x;
+    }
+    for (const Parting& parting : certificate.partings[s]) {
+      lines.gap() << parting.other + 1;
+      for (const Integer& x : parting.normal) lines << x;
+      lines << parting.offset;
+    }
+    lines.end_line();
+  }
+  lines << "order" << certificate.sequence.size();
+  lines.end_line();
+  for (const std::size_t s : certificate.sequence) {
+    lines << s + 1;
+    lines.end_line();
+  }
+  lines << "end";
+  lines.end_line();
+}
+
+}  // namespace circumspect::certificate

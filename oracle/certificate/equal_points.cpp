@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "oracle/certificate/complex_certificate.hpp"
+#include "oracle/certificate/document.hpp"
+#include "oracle/model/rule.hpp"
+
+namespace circumspect::certificate {
+
+tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, const Verdict& verdict) {
+  const auto named =
+      std::find_if(verdict.violations().begin(), verdict.violations().end(),
+                   [](const Violation& one) { return one.rule == Rule::kPointsEqual; });
+  assert(named != verdict.violations().end());
+  const std::vector<Point> all = mesh.exact_points();
+  std::vector<Point> different = all;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  const PointSet set(different);
+  const std::size_t dimension = set.ambient_dimension();
+  if ((dimension != 2 && dimension != 3) || set.dimension() != static_cast<int>(dimension)) {
+    return tl::unexpected(
+        std::string("there is no refutation of this mesh: its points do not span the plane or "
+                    "space"));
+  }
+  auto scaled = scaled_to_integers(set);
+  if (!scaled) return tl::unexpected(scaled.error());
+  EqualPoints made{.points = {dimension, scaled->scale_numerator, scaled->scale_denominator},
+                   .first = named->witness.vertices.front(),
+                   .second = named->witness.vertices.back()};
+  for (const Point& point : all) {
+    const auto place = std::lower_bound(different.begin(), different.end(), point);
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      made.points.coordinates.push_back(
+          scaled->coordinate(static_cast<Vertex>(place - different.begin()), axis));
+    }
+  }
+  for (const std::size_t v : set.configuration().hull().basis) {
+    made.basis.push_back(
+        static_cast<std::size_t>(std::find(all.begin(), all.end(), different[v]) - all.begin()));
+  }
+  return made;
+}
+
+void write(std::ostream& out, const Mesh& mesh, const EqualPoints& equal) {
+  Lines lines(out);
+  write_first_line(lines, "circumspect-refutation 2", Claim::kComplex, equal.points.dimension,
+                   identifier(Rule::kPointsEqual));
+  write_scale(lines, equal.points);
+  lines << "points" << equal.points.size();
+  lines.end_line();
+  for (Vertex v = 0; mesh.names(v); ++v) {
+    write_point(lines, equal.points, v, false);
+    lines.gap() << mesh.label(v);
+    lines.end_line();
+  }
+  const std::vector<Simplex> simplices = mesh.simplices.lists();
+  lines << "simplices" << simplices.size();
+  lines.end_line();
+  for (const Simplex& simplex : simplices) {
+    lines << simplex.size();
+    lines.gap();
+    for (const Vertex v : simplex) lines << to_integer(v) + 1;
+    lines.end_line();
+  }
+  lines << "spans";
+  for (const std::size_t v : equal.basis) lines << v + 1;
+  lines.end_line();
+  lines << "because" << to_integer(equal.first) + 1 << to_integer(equal.second) + 1;
+  lines.end_line();
+  lines << "end";
+  lines.end_line();
+}
+
+}  // namespace circumspect::certificate

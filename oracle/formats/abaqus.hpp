@@ -1,0 +1,31 @@
+// Meshes in the input files of Abaqus and CalculiX, as text: .inp.
+//
+//     ** a comment
+//     *Node, nset=all                             keywords and options in any case
+//     1, 0., 0.5, 1e-3                            the tag and the coordinates of each; a field that
+//     *Element, type=C3D4, elset=part             is empty is 0
+//     1, 1, 2, 3, 4                               the tag and the nodes of each, which go on over
+//     …                                           lines that end with a comma
+//
+// Everything else (sets, materials, steps) is skipped. Planar types (CPS3, CPE3, …) and shells are
+// triangles. Nodes are taken as they are listed: what would move or generate them is an error.
+#pragma once
+
+#include <string_view>
+
+#include "kernel/exact/number.hpp"
+#include "oracle/formats/beginning.hpp"
+#include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/element_file.hpp"
+
+namespace circumspect::formats {
+
+// Is the first line that is not a comment a keyword?
+bool is_abaqus(const Beginning& beginning);
+
+// Points are in the order of their tags and counted from the lowest (node_tags.hpp). Errors: also,
+// several parts, included files, other systems of coordinates, generated nodes or elements, a part
+// that is moved where it is placed.
+Result<ElementFile> read_abaqus(const Source& source, NumberReading reading);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,142 @@
+// Files of engineers' programs, SU2 and Abaqus: what is read, what is refused, and the messages.
+#include <doctest/doctest.h>
+
+#include "oracle/formats/abaqus.hpp"
+#include "oracle/formats/format.hpp"
+#include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/su2.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+std::string su2_error(const std::string& text) { return error_of(read_su2(named(text), kDouble)); }
+
+std::string abaqus_error(const std::string& text) {
+  return error_of(read_abaqus(named(text), kDouble));
+}
+
+const std::string kSu2 =
+    "% made by hand\n"
+    "NDIME= 3\n"
+    "NELEM= 2\n"
+    "10 0 1 2 3 0\n"
+    "10 1 2 3 4\n"
+    "NPOIN= 5\n"
+    "0 0 0 0\n1 0 0 1\n0 1 0 2\n0 0 0.1 3\n1 1 1\n"
+    "NMARK= 1\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n5 0 1 2\n";
+
+const std::string kAbaqus =
+    "** made by hand\n"
+    "*HEADING\n a title, with a comma\n"
+    "*NODE, NSET=Nall\n10, 0., 0.\n11, 1., , 0.\n12, 0, 1, 0\n14, 0., 0., 0.1\n"
+    "*Element, Type=c3d4, elset=E\n1, 10, 11,\n 12, 14\n"
+    "*Element, type=S3R\n2, 10, 11, 12\n"
+    "*Nset, nset=fixed\n10, 11\n*Node output\nU\n";
+
+}  // namespace
+
+TEST_CASE("su2: elements, points with and without their index, markers, comments") {
+  const auto file = read_su2(named(kSu2), kDouble);
+  REQUIRE(file);
+  CHECK(file->points.points[3] == Point{0, 0, exact_value(0.1)});
+  CHECK(file->points.points.size() == 5);
+  CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 2, 3}, {1, 2, 3, 4}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(file->tetrahedra.lines == std::vector<std::size_t>{4, 5});
+}
+
+TEST_CASE("su2: in the plane, with settings that are skipped") {
+  const auto file = read_su2(named("NDIME=2\nNPERIODIC= 1\nPERIODIC_INDEX= 0\n1 2 3\nNELEM = 1\n"
+                                   "5 0 1 2\nNPOIN=3 3\n0 0\n1 0\n0 1/3\n"),
+                             kDouble);
+  REQUIRE(file);
+  CHECK(file->points.points[2] == Point{0, Rational(1, 3)});
+  CHECK(is_su2_keyword("NDIME=2"));
+  CHECK(!is_su2_keyword("%"));
+}
+
+TEST_CASE("su2: faults and their lines") {
+  CHECK(su2_error("") == "f:1: expected the key NPOIN, found the end of the file");
+  CHECK(su2_error("x\n") == "f:1: expected a key, as NDIME= 3, found \"x\"");
+  CHECK(su2_error("NDIME= 4\n") == "f:1: expected dimension 2 or 3, found \"4\"");
+  CHECK(su2_error("NPOIN= 1\n0 0\n") == "f:1: expected NDIME before NPOIN, found NPOIN");
+  CHECK(su2_error("NDIME= 2\nNPOIN=\n") ==
+        "f:2: expected the number of points, 0 or more, found the end of the line");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 2\n0 0\n") ==
+        "f:3: expected the coordinates of point 2 of 2, found the end of the file");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0 0 0\n") ==
+        "f:3: expected 2 coordinates and perhaps the index of point 1 of 1, found 4 columns");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0 x\n") ==
+        "f:3: expected the index of point 1 of 1, an integer, found \"x\"");
+  CHECK(
+      su2_error("NELEM= 1\n22 0 1 2 3 4 5\n") ==
+      "f:2: expected a type of elements that SU2 knows (3, 5, 9, 10, 12, 13 or 14), found \"22\"");
+  CHECK(su2_error("NELEM= 1\n10 0 1 2\n") ==
+        "f:2: expected type 10, 4 vertices and perhaps an index, found 4 columns");
+  CHECK(su2_error("NELEM= 1\n") == "f:1: expected element 1 of 1, found the end of the file");
+  CHECK(su2_error("NZONE= 2\n") == "f:1: expected a mesh of one zone, found \"2\"");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 0\n") ==
+        "f:2: expected the key NELEM, found the end of the file");
+}
+
+TEST_CASE("abaqus: nodes by their tags, continued lines, empty fields, what is skipped") {
+  const auto file = read_abaqus(named(kAbaqus), kDouble);
+  REQUIRE(file);
+  CHECK(file->points.points ==
+        std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, exact_value(0.1)}});
+  CHECK(file->points.first_index == 1);
+  CHECK(file->notes.size() == 1);  // the tags leave a gap
+  CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{1, 2, 3, 4}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
+  CHECK(file->tetrahedra.lines == std::vector<std::size_t>{10});
+  CHECK(is_abaqus(Beginning(named(kAbaqus))));
+  CHECK(!is_abaqus(Beginning(named("** comments alone\n"))));
+  CHECK(!is_abaqus(Beginning(named("* 1 2\n"))));
+  CHECK(!is_abaqus(Beginning(named("*"))));
+}
+
+TEST_CASE("abaqus: elements that are no simplices are named with their line") {
+  const auto curved =
+      read_abaqus(named("*Node\n1,0,0,0\n*Element, type=C3D10\n1, 1,1,1,1,1,1,1,1,1,1\n"), kDouble);
+  REQUIRE(curved);
+  CHECK(check_simplices(*curved, "f").error().to_string() ==
+        "f:4: expected edges, triangles and tetrahedra, found a tetrahedron of second order");
+  const auto solid =
+      read_abaqus(named("*Node\n1,0,0,0\n*Element, type=C3D8R\n1, 1,1,1,1,1,1,1,1\n"), kDouble);
+  REQUIRE(solid);
+  CHECK(check_simplices(*solid, "f").error().found == "a hexahedron");
+}
+
+TEST_CASE("abaqus: faults and their lines") {
+  CHECK(abaqus_error("") == "f:1: expected a keyword, as *Node, found the end of the file");
+  CHECK(abaqus_error("1, 0, 0, 0\n") == "f:1: expected a keyword, as *Node, found \"1, 0, 0, 0\"");
+  CHECK(abaqus_error("*Node\n1, 0, 0, 0\n") ==
+        "f:2: expected the keyword *Element, found the end of the file");
+  CHECK(abaqus_error("*Node\nx, 0, 0, 0\n") ==
+        "f:2: expected the tag of a node, an integer of 64 bits, found \"x\"");
+  CHECK(abaqus_error("*Node\n1, 0, y, 0\n") == "f:2: expected a finite number, found \"y\"");
+  CHECK(abaqus_error("*Node\n1\n") ==
+        "f:2: expected a tag and 3 coordinates of a node, found 1 fields");
+  CHECK(abaqus_error("*Node, system=C\n1, 0, 0, 0\n") ==
+        "f:1: expected rectangular coordinates, SYSTEM=R, found \"C\"");
+  CHECK(abaqus_error("*Include, input=x.inp\n") ==
+        "f:1: expected a mesh in one file, found \"*Include, input=x.inp\"");
+  CHECK(abaqus_error("*Element, type=XYZ\n1, 1\n") ==
+        "f:1: expected a type of elements that is known, as TYPE=C3D4, found \"XYZ\"");
+  CHECK(abaqus_error("*Element\n1, 1\n") ==
+        "f:1: expected a type of elements that is known, as TYPE=C3D4, found none");
+  CHECK(abaqus_error("*Element, type=C3D4\n1, 1, 2, 3\n") ==
+        "f:2: expected a tetrahedron of 4 nodes, found 3");
+  CHECK(abaqus_error("*Element, type=C3D4\n1, 1, 2, 3, 4, 5\n") ==
+        "f:2: expected a tetrahedron of 4 nodes, found 5");
+  CHECK(abaqus_error("*Part, name=a\n*Part, name=b\n") ==
+        "f:2: expected a mesh of one part, found another *Part");
+  CHECK(abaqus_error("*Instance, name=a, part=a\n1., 0., 0.\n") ==
+        "f:2: expected a part where its nodes say, found an instance that moves it");
+  CHECK(abaqus_error("*Node\n1, 0, 0, 0\n1, 1, 0, 0\n*Element, type=MASS\n1, 1\n") ==
+        "f: expected a tag of its own for each node, found tag 1 twice");
+  CHECK(abaqus_error("*Node\n1, 0, 0, 0\n3, 1, 0, 0\n*Element, type=T3D2\n1, 1, 2\n") ==
+        "f:5: expected the tag of a node below *Node, found 2");
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,31 @@
+// Meshes of SU2, as text: .su2.
+//
+//     % a comment
+//     NDIME= 3
+//     NELEM= 12                                   then VTK's type and the vertices of each, from 0,
+//     10 0 1 2 3 0                                  and perhaps its index, a line each
+//     NPOIN= 8                                    then the coordinates of each, and perhaps its
+//     0.5 1 2 0                                     index, a line each
+//     NMARK= 2                                    parts of the boundary
+//     MARKER_TAG= wall
+//     MARKER_ELEMS= 4                             their elements, likewise
+//     5 0 1 2
+//
+// Other keys, with the lines below them, are skipped.
+#pragma once
+
+#include <string_view>
+
+#include "kernel/exact/number.hpp"
+#include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/element_file.hpp"
+
+namespace circumspect::formats {
+
+// Is this a key with which such a file begins?
+bool is_su2_keyword(std::string_view token);
+
+// Points are counted from 0. Errors: also, several zones in one file.
+Result<ElementFile> read_su2(const Source& source, NumberReading reading);
+
+}  // namespace circumspect::formats

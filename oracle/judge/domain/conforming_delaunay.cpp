@@ -1,0 +1,86 @@
+#include "oracle/judge/domain/conforming_delaunay.hpp"
+
+#include <algorithm>
+
+#include "kernel/complex/point_set.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "oracle/judge/domain/empty_circumball.hpp"
+#include "oracle/judge/domain/listed_faces.hpp"
+#include "oracle/judge/domain/vertex_index.hpp"
+#include "oracle/judge/points/delaunay.hpp"
+
+namespace circumspect::check {
+
+namespace {
+
+void judge_shared_facet(const ExactMesh& mesh, std::span<const FacetUse> group, Verdict& verdict) {
+  const Simplex& simplex = mesh.simplices[group[0].simplex];
+  const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
+  if (in_ball(mesh.points.configuration(), simplex, apex) <= 0) return;
+  add_in_ball(mesh, Rule::kFacetNotLocal, simplex, group[0].facet, apex, verdict);
+}
+
+void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, const FacetUse& use,
+                            Verdict& verdict) {
+  const Simplex& simplex = mesh.simplices[use.simplex];
+  for (const Vertex v : index.near(circumball(mesh.points, simplex))) {
+    if (contains(simplex, v) || in_ball(mesh.points.configuration(), simplex, v) <= 0) continue;
+    add_in_ball(mesh, Rule::kVertexInBall, simplex, use.facet, v, verdict);
+  }
+}
+
+void judge_dangling(const ExactMesh& mesh, const Simplex& simplex, const VerticesNear& near,
+                    Verdict& verdict) {
+  const std::vector<Vertex> against = vertices_in_every_circumball(mesh.points, simplex, near);
+  if (against.empty()) return;
+  verdict.add(
+      Rule::kNoEmptyBall,
+      {.simplices = {simplex}, .vertices = against, .ball = circumball(mesh.points, simplex)});
+}
+
+// The pieces that are facets of no simplex and, in space, the links that no simplex or piece has.
+std::vector<Simplex> dangling_simplices(const MeshedDomain& in,
+                                        const std::vector<WallPiece>& pieces) {
+  std::vector<Simplex> dangling;
+  for (const WallPiece& piece : pieces) {
+    if (!is_facet(in.uses, piece.facet)) dangling.push_back(piece.facet);
+  }
+  if (in.complex.ambient_dimension() == 2) return dangling;
+  std::vector<Simplex> links;
+  for (std::size_t s = 0; s < in.chains.size(); ++s) {
+    const std::vector<Vertex>& chain = in.chains.chain(s);
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      links.push_back(sorted({chain[i], chain[i + 1]}));
+    }
+  }
+  std::sort(links.begin(), links.end());
+  const std::vector<Simplex> strays = edges_of_nothing(in, pieces, links);
+  dangling.insert(dangling.end(), strays.begin(), strays.end());
+  return dangling;
+}
+
+}  // namespace
+
+void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
+                             Verdict& verdict) {
+  const VertexIndex index(in.mesh.points);
+  const bool all_are_local = in.known != nullptr && in.known->not_local.empty();
+  const bool are_empty_at_boundary = in.known != nullptr && in.known->boundary_balls_are_empty;
+  // A simplex with several facets on the boundary is judged at the first.
+  std::vector<bool> judged(in.mesh.simplices.size(), false);
+  for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
+    if (group.size() == 2) {
+      if (!all_are_local) judge_shared_facet(in.mesh, group, verdict);
+      return;
+    }
+    if (are_empty_at_boundary || judged[group.front().simplex]) return;
+    judged[group.front().simplex] = true;
+    judge_ball_at_boundary(in.mesh, index, group.front(), verdict);
+  });
+  const auto near = [&](const Ball& ball) { return index.near(ball); };
+  for (const Simplex& simplex : dangling_simplices(in, pieces)) {
+    judge_dangling(in.mesh, simplex, near, verdict);
+  }
+}
+
+}  // namespace circumspect::check

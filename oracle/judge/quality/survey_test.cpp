@@ -1,0 +1,189 @@
+// The extremes, histograms, size and topology of meshes: against the definition of each measure, and
+// of meshes of which everything is known.
+#include "oracle/judge/quality/survey.hpp"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "inputs/dice.hpp"
+#include "oracle/judge/definition/quality.hpp"
+#include "oracle/judge/quality/topology.hpp"
+#include "properties/arguments/run.hpp"
+
+namespace circumspect::quality {
+namespace {
+
+using generators::Dice;
+
+Mesh listed(std::vector<Point> points, std::vector<Simplex> simplices) {
+  const std::size_t dimension = points.front().size();
+  Mesh mesh;
+  mesh.coordinates = numbers_of(points, dimension);
+  mesh.simplices = IndexLists(std::move(simplices));
+  return mesh;
+}
+
+// Triangles or tetrahedra on a small grid, or on one of numbers that are rounded.
+Mesh drawn_mesh(Dice& dice) {
+  const std::size_t space = dice.below(2) + 2, size = space == 2 ? 3 : 3 + dice.below(2);
+  const bool is_rounded = dice.below(2) == 0;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < 7; ++i) {
+    Point& point = points.emplace_back();
+    for (std::size_t axis = 0; axis < space; ++axis) {
+      const Rational on_grid(dice.within(0L, 3L));
+      point.push_back(is_rounded ? exact_value(on_grid.get_d() * 0.1) : on_grid);
+    }
+  }
+  std::vector<Simplex> simplices(12);
+  for (Simplex& simplex : simplices) {
+    for (std::size_t i = 0; i < size; ++i) {
+      simplex.push_back(static_cast<Vertex>(dice.below(dice.below(30) == 0 ? 9 : 7)));
+    }
+  }
+  return listed(std::move(points), std::move(simplices));
+}
+
+// What the definition measures of each simplex, by its place.
+std::vector<std::pair<std::size_t, Rational>> defined(Measure measure, const Mesh& mesh) {
+  std::vector<std::pair<std::size_t, Rational>> all;
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    std::vector<Point> corners;
+    for (const Vertex v : mesh.simplices[s]) {
+      if (mesh.names(v)) corners.push_back(mesh.point(v));
+    }
+    if (corners.size() < mesh.simplices.columns()) continue;
+    if (const auto value = definition::measured(measure, corners)) all.emplace_back(s, *value);
+  }
+  return all;
+}
+
+// Is the first number, as people know it, larger? The square of the cosine says the opposite.
+bool is_larger(Measure measure, const Rational& a, const Rational& b) {
+  return entry(measure).is_angle ? a < b : b < a;
+}
+
+TEST_CASE("extremes and histograms are those of the definition") {
+  std::size_t extremes = 0, counted = 0;
+  for (std::uint64_t seed = 0; seed < 300 / properties::kOneInputIn; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    const Mesh mesh = drawn_mesh(dice);
+    const Survey found = survey(mesh, 1);
+    for (const Extreme& extreme : found.extremes) {
+      const auto all = defined(extreme.measure, mesh);
+      REQUIRE(!all.empty());
+      const auto* first = &all.front();
+      for (const auto& one : all) {
+        const bool is_further = extreme.is_largest
+                                    ? is_larger(extreme.measure, one.second, first->second)
+                                    : is_larger(extreme.measure, first->second, one.second);
+        if (is_further) first = &one;
+      }
+      CAPTURE(entry(extreme.measure).name);
+      CHECK(extreme.simplex == first->first);
+      CHECK(extreme.found.value == first->second);
+      ++extremes;
+    }
+    for (const Histogram& histogram : found.histograms) {
+      std::vector<std::size_t> counts(histogram.bounds.size() + 1, 0);
+      for (const auto& [place, value] : defined(histogram.measure, mesh)) {
+        std::size_t bin = 0;
+        while (bin < histogram.bounds.size() &&
+               compare(histogram.measure, value, histogram.bounds[bin]) >= 0) {
+          ++bin;
+        }
+        ++counts[bin];
+        ++counted;
+      }
+      CHECK(histogram.counts == counts);
+    }
+    CHECK(found.measured + found.set_apart == mesh.simplices.size());
+  }
+  CHECK(extremes > 1000 / properties::kOneInputIn);
+  CHECK(counted > 3000 / properties::kOneInputIn);
+}
+
+TEST_CASE(
+    "the survey of a large mesh does not depend on the threads, and finds its one bad simplex") {
+  std::vector<Point> points;
+  std::vector<Simplex> simplices;
+  constexpr long kSide = 80;
+  for (long y = 0; y <= kSide; ++y) {
+    for (long x = 0; x <= kSide; ++x) points.push_back({x, y});
+  }
+  points[41 * (kSide + 1) + 40] = {40, Rational(161, 4)};
+  for (long y = 0; y < kSide; ++y) {
+    for (long x = 0; x < kSide; ++x) {
+      const Vertex a = y * (kSide + 1) + x, b = a + kSide + 1;
+      simplices.push_back({a, a + 1, b + 1});
+      simplices.push_back({a, b + 1, b});
+    }
+  }
+  const Mesh mesh = listed(points, simplices);
+  for (const unsigned threads : {1U, 3U}) {
+    const Survey found = survey(mesh, threads);
+    REQUIRE(found.extremes.size() == 10);
+    CHECK(measure_text(found.extremes[0].measure, found.extremes[0].found.value) ==
+          "8.130102354155978deg");
+    CHECK(found.extremes[0].simplex == 2 * (40 * kSide + 40) + 1);
+    CHECK(found.measured == simplices.size());
+    CHECK(found.histograms[0].counts[9] == simplices.size() - 5);  // of 45 degrees
+  }
+}
+
+TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a thick shell") {
+  const Topology ring = topology(listed(
+      {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}, {5, 6}, {-6, 5}, {-5, -6}, {6, -5}},
+      {{0, 4, 5}, {0, 5, 1}, {1, 5, 6}, {1, 6, 2}, {2, 6, 7}, {2, 7, 3}, {3, 7, 4}, {3, 4, 0}}));
+  CHECK(ring.faces == std::vector<std::size_t>{8, 16, 8});
+  CHECK(ring.euler_characteristic == 0);
+  CHECK(ring.boundary_facets == 8);
+  CHECK(ring.boundary_parts == 2);
+  CHECK(ring.genus == std::size_t{0});
+  const std::vector<Point> corner = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Topology sphere = topology(listed(corner, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}));
+  CHECK(sphere.euler_characteristic == 2);
+  CHECK(sphere.boundary_parts == 0);
+  CHECK(sphere.genus == std::size_t{0});
+  const Topology ball = topology(listed(corner, {{0, 1, 2, 3}, {0, 1, 2, 2}, {0, 1, 2, 7}}));
+  CHECK(ball.faces == std::vector<std::size_t>{4, 6, 4, 1});
+  CHECK(ball.euler_characteristic == 1);
+  CHECK(ball.boundary_parts == 1);
+  CHECK(ball.genus == std::size_t{0});
+  // A closed strip of squares around a square, with a twist or without, and its boundary.
+  std::vector<Point> around;
+  for (long i = 0; i < 12; ++i) around.push_back({i % 3, (i * i) % 7, i});
+  std::vector<Simplex> torus;  // four rings of three corners each, and the last joined to the first
+  for (Vertex i = 0; i < 4; ++i) {
+    for (Vertex j = 0; j < 3; ++j) {
+      const Vertex a = 3 * i + j, b = 3 * i + (j + 1) % 3, c = (a + 3) % 12, d = (b + 3) % 12;
+      torus.push_back({a, b, c});
+      torus.push_back({b, c, d});
+    }
+  }
+  const Topology one_handle = topology(listed(around, torus));
+  CHECK(one_handle.euler_characteristic == 0);
+  CHECK(one_handle.boundary_parts == 0);
+  CHECK(one_handle.genus == std::size_t{1});
+  const Topology strip =
+      topology(listed(around, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}));
+  CHECK(strip.euler_characteristic == 0);
+  CHECK(strip.boundary_parts == 1);
+  CHECK(!strip.genus);  // it has one side only
+}
+
+TEST_CASE("sizes are exact where they are rational, and correctly rounded elsewhere") {
+  const Mesh corner = listed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+  CHECK(size_of(corner).exact == Rational(1, 6));
+  CHECK(size_of(corner).decimal == "0.16666666666666666");
+  CHECK(!size_of_boundary(corner).exact);
+  CHECK(size_of_boundary(corner).decimal == "2.366025403784439");  // 3/2 + √3/2
+  const Mesh square = listed({{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 9}});
+  CHECK(size_of(square).exact == Rational(3));
+  CHECK(size_of_boundary(square).decimal == "8");
+}
+
+}  // namespace
+}  // namespace circumspect::quality

@@ -1,0 +1,126 @@
+// The claim `voronoi`, by lemma and by definition.
+#include "oracle/judge/voronoi/judge_voronoi.hpp"
+
+#include <doctest/doctest.h>
+
+namespace circumspect::check {
+namespace {
+
+// Four corners of a square and its centre, with unbounded cells as qvoronoi lists them.
+VoronoiDiagram square_with_centre() {
+  VoronoiDiagram diagram{PointSet(std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}})};
+  diagram.vertices = {{2, 0}, {4, 2}, {2, 4}, {0, 2}};
+  diagram.cells = {{{0, 3}, true}, {{0, 1}, true}, {{1, 2}, true}, {{2, 3}, true}, {{0, 1, 2, 3}}};
+  diagram.neighbors = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
+  return diagram;
+}
+
+Verdict judged(const VoronoiDiagram& diagram, const Rational& squared_distance = 0,
+               const std::optional<JudgedBox>& box = {}) {
+  CHECK(fault_of_diagram(diagram, box) == "");
+  const Verdict verdict = judge_voronoi(diagram, box, squared_distance, false, 0);
+  const Verdict by_definition = judge_voronoi(diagram, box, squared_distance, true, 0);
+  CHECK(verdict.holds() == by_definition.holds());
+  CHECK(verdict.voronoi->squared_distance == by_definition.voronoi->squared_distance);
+  CHECK(verdict.voronoi->site == by_definition.voronoi->site);
+  return verdict;
+}
+
+TEST_CASE("cells that are exact hold within 0, unbounded ones by their neighbours") {
+  const Verdict verdict = judged(square_with_centre());
+  CHECK(verdict.holds());
+  CHECK(!verdict.voronoi->site);
+}
+
+TEST_CASE("the verdict names the least distance, its site and the corner") {
+  VoronoiDiagram diagram = square_with_centre();
+  diagram.vertices[1] = {5, 2};
+  diagram.cells[4].corners = {0, 1, 2, 3};
+  const Verdict verdict = judged(diagram);
+  CHECK(!verdict.holds());
+  CHECK(verdict.voronoi->squared_distance == 1);
+  CHECK(judged(diagram, 1).holds());
+  CHECK(!judged(diagram, Rational(999, 1000)).holds());
+}
+
+TEST_CASE("a cell that lacks a corner is too small, one with another is too large") {
+  VoronoiDiagram diagram = square_with_centre();
+  diagram.cells[4].corners = {0, 1, 2};
+  const Verdict small = judged(diagram);
+  REQUIRE(small.violations().size() == 1);
+  CHECK(small.violations()[0].witness.vertices == std::vector<Vertex>{4});
+  CHECK(*small.violations()[0].witness.point == Point{0, 2});
+  CHECK(small.voronoi->squared_distance == 4);
+  diagram.vertices.push_back({3, 3});
+  diagram.cells[4].corners = {0, 1, 2, 3, 4};
+  CHECK(judged(diagram).holds());  // it is in the edge of two others
+  diagram.vertices.back() = {4, 4};
+  CHECK(judged(diagram).voronoi->squared_distance == 2);
+}
+
+TEST_CASE("what is outside of the box is not judged") {
+  VoronoiDiagram diagram = square_with_centre();
+  diagram.vertices[1] = {5, 2};
+  const JudgedBox left{{-1, -1}, {1, 5}};
+  CHECK(judged(diagram, 0, left).holds());
+  const JudgedBox beside{{9, 9}, {10, 10}};
+  CHECK(judged(square_with_centre(), 0, beside).holds());
+}
+
+TEST_CASE("a cell that is empty is missing, an index of no vertex is named") {
+  VoronoiDiagram diagram = square_with_centre();
+  diagram.cells[4].corners = {};
+  CHECK(judged(diagram).tallies().begin()->first == Rule::kCellMissing);
+  diagram.cells[4].corners = {0, 1, 7};
+  CHECK(judged(diagram).tallies().begin()->first == Rule::kVoronoiUnknownVertex);
+}
+
+TEST_CASE("one site, and two, have cells like all others") {
+  VoronoiDiagram one{PointSet(std::vector<Point>{{3, 3}})};
+  one.vertices = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
+  one.cells = {{{0, 1, 2, 3}}};
+  CHECK(judged(one).holds());  // the default box is that
+  VoronoiDiagram two{PointSet(std::vector<Point>{{0, 0}, {2, 0}})};
+  two.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {3, -1}, {3, 1}};
+  two.cells = {{{0, 1, 2, 3}}, {{1, 4, 5, 2}}};
+  CHECK(judged(two).holds());
+}
+
+TEST_CASE("cells in space: eight sites at the corners of a cube") {
+  std::vector<Point> sites;
+  for (int i = 0; i < 8; ++i) sites.push_back({2 * (i & 1), i & 2, (i & 4) / 2});
+  VoronoiDiagram diagram{PointSet(sites)};
+  diagram.vertices = {{1, 1, 1}};
+  diagram.cells.assign(8, {{0}, true});
+  for (Vertex a = 0; a < 8; ++a) {
+    for (const Vertex bit : {1, 2, 4}) {
+      if ((a & bit) == 0) diagram.neighbors.push_back({a, a | bit});
+    }
+  }
+  CHECK(judged(diagram).holds());
+  diagram.vertices = {{1, 1, Rational(5, 4)}};
+  CHECK(judged(diagram).voronoi->squared_distance == Rational(1, 16));
+}
+
+TEST_CASE("ridges that are not listed do not make unbounded cells larger") {
+  std::vector<Point> sites;
+  for (int i = 0; i < 8; ++i) sites.push_back({2 * (i & 1), i & 2, (i & 4) / 2});
+  VoronoiDiagram diagram{PointSet(sites)};
+  diagram.vertices = {{1, 1, 1}};
+  diagram.cells.assign(8, {{0}, true});
+  diagram.neighbors = {{0, 1}};  // of twelve
+  CHECK(judged(diagram).holds());
+}
+
+TEST_CASE("what cannot be judged is refused, with what to do") {
+  VoronoiDiagram diagram = square_with_centre();
+  diagram.neighbors.clear();
+  CHECK(fault_of_diagram(diagram, {}) ==
+        "expected the pairs of sites that have a common ridge beside unbounded cells, found none: "
+        "run qvoronoi with both o and Fv");
+  diagram.cells.pop_back();
+  CHECK(fault_of_diagram(diagram, {}) == "expected a cell for each of 5 sites, found 4 cells");
+}
+
+}  // namespace
+}  // namespace circumspect::check

@@ -1,0 +1,72 @@
+#include "oracle/judge/within/mesh_faces.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace circumspect::check {
+
+namespace {
+
+template <class T>
+void make_unique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches, Work& work)
+    : triangles_(cells.complex().polygons.size()) {
+  std::vector<std::vector<std::size_t>> polygons_at(mesh.points.size());
+  for (std::size_t p = 0; p < triangles_.size(); ++p) {
+    for (const Reaches::ToVertex& near : reaches.near({2, p})) {
+      polygons_at[static_cast<std::size_t>(near.vertex)].push_back(p);
+    }
+  }
+  const auto file_triangle = [&](const Simplex& triangle) {
+    std::vector<std::size_t> all = polygons_at[static_cast<std::size_t>(triangle[0])];
+    for (const std::size_t place : {std::size_t{1}, std::size_t{2}}) {
+      const auto& more = polygons_at[static_cast<std::size_t>(triangle[place])];
+      std::vector<std::size_t> both;
+      std::set_intersection(all.begin(), all.end(), more.begin(), more.end(),
+                            std::back_inserter(both));
+      all = std::move(both);
+    }
+    work.add(all.size());
+    for (const std::size_t p : all) triangles_[p].push_back(triangle);
+  };
+  const auto is_near = [&](Vertex v) { return !reaches.of(v).empty(); };
+  const auto file = [&](const Simplex& listed) {
+    // Most simplices have no edge that may be in an image.
+    if (std::count_if(listed.begin(), listed.end(), is_near) < 2 || work.is_too_much()) return;
+    const Simplex simplex = sorted(listed);
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      if (!is_near(simplex[i])) continue;
+      for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+        if (!is_near(simplex[j])) continue;
+        edges_.emplace_back(simplex[i], simplex[j]);
+        edges_.emplace_back(simplex[j], simplex[i]);
+        for (std::size_t k = j + 1; k < simplex.size() && !triangles_.empty(); ++k) {
+          file_triangle({simplex[i], simplex[j], simplex[k]});
+        }
+      }
+    }
+  };
+  for (const Simplex& simplex : mesh.simplices) file(simplex);
+  for (const Simplex& face : mesh.faces) file(face);
+  make_unique(edges_);
+  for (std::vector<Simplex>& triangles : triangles_) make_unique(triangles);
+}
+
+bool MeshFaces::has_edge(Vertex a, Vertex b) const {
+  return std::binary_search(edges_.begin(), edges_.end(), std::pair{a, b});
+}
+
+std::span<const std::pair<Vertex, Vertex>> MeshFaces::edges_at(Vertex v) const {
+  const auto first = std::lower_bound(edges_.begin(), edges_.end(), std::pair{v, Vertex{0}});
+  const auto last = std::lower_bound(first, edges_.end(), std::pair{v + 1, Vertex{0}});
+  return std::span(edges_).subspan(static_cast<std::size_t>(first - edges_.begin()),
+                                   static_cast<std::size_t>(last - first));
+}
+
+}  // namespace circumspect::check

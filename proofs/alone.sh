@@ -1,0 +1,27 @@
+#!/bin/bash
+# Certifies the meshes of corpus that are judged as complexes, and has circumspect-verified read
+# what proves the verdict:
+#   proofs/alone.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
+set -euo pipefail
+circumspect=$(realpath "$1")
+verified=$(realpath "$2")
+cd "$(dirname "${BASH_SOURCE[0]}")/../corpus"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+accepted=0
+refuted=0
+while IFS=$'\t' read -r mesh claim verdict; do
+  [ "$claim" = complex ] || continue
+  code=0
+  "$circumspect" certify "$mesh" --claim complex --quiet -o "$scratch/certificate" || code=$?
+  expected="verified: not complex, $verdict: "
+  if [ "$verdict" = holds ]; then expected="verified: complex, "; fi
+  found=$("$verified" "$scratch/certificate" "${mesh%.ele}.node" "$mesh") || true
+  if [ "$code" -ne "$([ "$verdict" = holds ]; echo $?)" ] || [[ "$found" != "$expected"* ]]; then
+    echo "$mesh: expected '$expected', found '$found', and exit code $code of certify" >&2
+    exit 1
+  fi
+  if [ "$verdict" = holds ]; then accepted=$((accepted + 1)); else refuted=$((refuted + 1)); fi
+done <expected.tsv
+echo "$accepted certificates and $refuted refutations of meshes alone verified"
+[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ]

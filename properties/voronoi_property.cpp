@@ -1,0 +1,134 @@
+// The claim `voronoi`: by lemma and by definition the same is said, word for word, of diagrams that
+// are exact, rounded, or broken, in the plane and in space. Proof: docs/theory/questions.md.
+#include <map>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "inputs/dice.hpp"
+#include "oracle/judge/voronoi/judge_voronoi.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/report/text.hpp"
+#include "properties/arguments/run.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+
+namespace circumspect::properties::voronoi {
+namespace {
+
+using generators::Dice;
+
+PointSet small_sites(Dice& dice, std::size_t d) {
+  std::set<Point> points;
+  const std::size_t count = d + 1 + dice.below(d == 2 ? 6 : 3);
+  while (points.size() < count) {
+    Point point;
+    for (std::size_t axis = 0; axis < d; ++axis) point.push_back(dice.within(0L, 5L));
+    points.insert(point);
+  }
+  return PointSet({points.begin(), points.end()});
+}
+
+// The centre of the circumball of each simplex is a corner of the cells of its vertices. The cells
+// of vertices of the boundary are unbounded.
+VoronoiDiagram exact_diagram(const PointSet& sites) {
+  VoronoiDiagram diagram{sites};
+  diagram.cells.resize(sites.size());
+  const std::vector<Simplex> simplices = delaunay::bowyer_watson(sites).simplices();
+  std::set<Simplex> edges;
+  for (const Simplex& simplex : simplices) {
+    for (const Vertex v : simplex) {
+      diagram.cells[static_cast<std::size_t>(v)].corners.push_back(
+          static_cast<Vertex>(diagram.vertices.size()));
+      for (const Vertex w : simplex) {
+        if (v < w) edges.insert({v, w});
+      }
+    }
+    diagram.vertices.push_back(circumball(sites, simplex).centre);
+  }
+  for (const Simplex& edge : edges) diagram.neighbors.push_back({edge[0], edge[1]});
+  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+    for (const Vertex v : group[0].facet) {
+      if (group.size() == 1) diagram.cells[static_cast<std::size_t>(v)].is_unbounded = true;
+    }
+  });
+  return diagram;
+}
+
+void break_once(Dice& dice, VoronoiDiagram& diagram) {
+  ListedCell& cell = diagram.cells[dice.below(diagram.cells.size())];
+  Point& vertex = diagram.vertices[dice.below(diagram.vertices.size())];
+  switch (dice.below(6)) {
+    case 0:
+      for (Rational& x : vertex) x += dice.within(-1L, 1L) / Rational(64);
+      return;
+    case 1:
+      vertex = diagram.sites[static_cast<Vertex>(dice.below(diagram.sites.size()))];
+      return;
+    case 2:
+      if (!cell.corners.empty()) cell.corners.pop_back();
+      return;
+    case 3:
+      cell.corners.push_back(static_cast<Vertex>(dice.below(diagram.vertices.size() + 1)));
+      return;
+    case 4:
+      cell.is_unbounded = !cell.is_unbounded;
+      return;
+    default:
+      diagram.neighbors.erase(diagram.neighbors.begin());
+  }
+}
+
+std::string text(const Verdict& verdict, const Mesh& sites) {
+  return report::explanation(verdict, sites) + report::verdict_line(verdict, sites, "m");
+}
+
+struct Outcomes {
+  std::map<Rule, std::size_t> broken = {};
+  std::size_t exact = 0, held = 0;
+};
+
+void compare(std::size_t d, int inputs, Outcomes& seen) {
+  CHECK(holds("by lemma as by definition", inputs, [&, d] {
+    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    const PointSet sites = small_sites(dice, d);
+    if (sites.dimension() < static_cast<int>(d)) return;
+    VoronoiDiagram diagram = exact_diagram(sites);
+    const std::size_t faults = dice.below(3);
+    for (std::size_t i = 0; i < faults; ++i) break_once(dice, diagram);
+    std::optional<JudgedBox> box;
+    if (dice.below(3) == 0) {
+      const Point corner = sites[0];
+      box = JudgedBox{corner, corner};
+      for (Rational& x : box->low) x -= dice.within(1L, 6L) / Rational(2);
+      for (Rational& x : box->high) x += dice.within(1L, 6L) / Rational(2);
+    }
+    if (!check::fault_of_diagram(diagram, box).empty()) return;
+    const Rational allowed = dice.below(3) == 0 ? Rational(0) : Rational(1, 1024);
+    const Mesh names = in_rows({sites, {}});
+    const Verdict by_lemma = check::judge_voronoi(diagram, box, allowed, false, 0);
+    const Verdict by_definition = check::judge_voronoi(diagram, box, allowed, true, 0);
+    RC_ASSERT(text(by_lemma, names) == text(by_definition, names));
+    if (faults == 0) {
+      RC_ASSERT(by_lemma.holds());
+      RC_ASSERT(!by_lemma.voronoi->site);
+      ++seen.exact;
+    }
+    seen.held += by_lemma.holds() && by_lemma.voronoi->site ? 1 : 0;
+    for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
+  }));
+}
+
+TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram") {
+  Outcomes seen;
+  compare(2, 1200, seen);
+  compare(3, 40, seen);
+  CHECK(occurs(seen.exact, 120));
+  CHECK(occurs(seen.held, 6));
+  for (const Rule rule : {Rule::kCellDiffers, Rule::kCellMissing, Rule::kVoronoiUnknownVertex}) {
+    CAPTURE(identifier(rule));
+    CHECK(occurs(seen.broken[rule]));
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::properties::voronoi

@@ -1,0 +1,25 @@
+"""Turns convex hulls of common libraries into lists of facets."""
+from __future__ import annotations
+
+from typing import Any, Optional
+
+
+def is_hull(mesh: Any) -> bool:
+    """Is it scipy.spatial.ConvexHull, or made like it? It lists its vertices and the hyperplanes of its facets."""
+    return all(hasattr(mesh, name) for name in ("points", "simplices", "vertices", "equations", "volume"))
+
+
+def claim_of(mesh: Any) -> Optional[str]:
+    """The claim that fits an object if the user names none; None leaves the usual one."""
+    return "convex-hull" if is_hull(mesh) else None
+
+
+def facets_of(points: Any, facets: Any) -> tuple:
+    """(points, facets) of a hull. In the plane vertices in their cyclic order may be a flat list."""
+    import numpy as np
+
+    if facets is None and is_hull(points):
+        return points.points, points.simplices
+    if facets is not None and np.ndim(facets) == 1 and np.size(facets):
+        return points, np.asarray(facets)[:, None]
+    return points, facets
