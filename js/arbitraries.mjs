@@ -1,6 +1,6 @@
 // For fast-check: points of the families that `circumspect generate --list` names, which shrink to few points.
 import { subarray, tuple, constantFrom, maxSafeNat, integer } from 'fast-check';
-import { generate } from './index.mjs';
+import { generate } from '#index';
 
 // Families whose points are degenerate or nearly so, where triangulation programs go wrong.
 export const families = ['uniform', 'integers', 'grid', 'circle', 'collinear', 'lower-dimensional', 'clusters', 'grid+ulp',

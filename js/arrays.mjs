@@ -1,6 +1,6 @@
 // What scripts have of points and simplices, as flat arrays. Nothing is rounded on the way.
 
-const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+export const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 const shown = (value) => {
   const text = typeof value === 'bigint' ? `${value}n` : typeof value === 'string' ? JSON.stringify(value) : String(value);
   return text.length > 60 ? `${text.slice(0, 57)}...` : text;
@@ -13,8 +13,12 @@ export class Numbers {
   get rows() { return this.columns === 0 ? 0 : this.length / this.columns; }
 }
 
+// An array whose buffer went to another thread looks empty; only a new view of the buffer tells.
 function refuseDetached(array, what) {
-  if (ArrayBuffer.isView(array) && array.length === 0 && array.buffer.byteLength === 0 && array.buffer.detached === true) {
+  if (!ArrayBuffer.isView(array) || array.buffer.byteLength > 0) return;
+  try {
+    new Uint8Array(array.buffer);
+  } catch {
     throw new TypeError(`expected ${what}, found an array whose buffer was detached: transfer a copy, or ask before the transfer`);
   }
 }
@@ -24,6 +28,10 @@ function flat(values, what, columns) {
   refuseDetached(values, what);
   if (!isArray(values)) throw new TypeError(`expected ${what} as an array, found ${shown(values)}`);
   if (values.length === 0 || !isArray(values[0])) {
+    if (columns === undefined && values.length === 0) return { all: values, columns: 2 };
+    if (columns !== undefined && !(Number.isInteger(columns) && columns > 0)) {
+      throw new RangeError(`expected how long a row of ${what} is, at least 1, found ${shown(columns)}`);
+    }
     if (columns === undefined) {
       throw new TypeError(`expected ${what} as rows, or flat with the option that says how long a row is, found a flat array`);
     }
@@ -33,6 +41,7 @@ function flat(values, what, columns) {
     return { all: values, columns };
   }
   const width = values[0].length;
+  if (width === 0) throw new RangeError(`expected ${what} in rows of at least 1, found an empty row`);
   const all = [];
   for (let i = 0; i < values.length; ++i) {
     if (!isArray(values[i]) || values[i].length !== width) {
@@ -72,21 +81,36 @@ function exactText(value) {
   return exponent === 0 ? BigInt(numerator).toString() : `${BigInt(numerator)}/${1n << BigInt(exponent)}`;
 }
 
-// Indices of points; what is no 32-bit integer is refused, what names no point is the library's to report.
+const FITS = 2 ** 31;
+
+// Indices of points, as 32-bit or, if one of them needs it, as 64-bit integers. What is no integer is refused; an integer that
+// names no point is a fault of the mesh, which the library reports.
 export function indicesOf(values, what, columns) {
   const { all, columns: width } = flat(values, what, columns);
   if (all instanceof Int32Array || all instanceof Int16Array || all instanceof Uint16Array || all instanceof Uint8Array) {
     return { indices: all, columns: width };
   }
   const indices = new Int32Array(all.length);
+  let isWide = false;
   for (let i = 0; i < all.length; ++i) {
-    const index = Number(all[i]);
-    if (!Number.isInteger(index) || index !== (index | 0)) {
-      throw new RangeError(`expected indices of points as ${what}, found ${shown(all[i])}`);
-    }
+    const index = typeof all[i] === 'bigint' ? Number(all[i]) : all[i];
+    if (!Number.isSafeInteger(index)) throw new RangeError(`expected indices of points as ${what}, found ${shown(all[i])}`);
     indices[i] = index;
+    isWide ||= index < -FITS || index >= FITS;
   }
-  return { indices, columns: width };
+  return { indices: isWide ? BigInt64Array.from(all, BigInt) : indices, columns: width };
+}
+
+// Of a domain, whose indices all name points.
+export function placesOf(values, what, columns) {
+  const { indices } = indicesOf(values, what, columns);
+  if (indices instanceof BigInt64Array) throw new RangeError(`expected indices of points as ${what}, found one beyond 32 bits`);
+  return indices;
+}
+
+// Rows of simplices, or what delaunay() gives: flat ones, and how many vertices each has.
+export function simplicesOf(given) {
+  return isArray(given) || !isArray(given?.simplices) ? { simplices: given } : { simplices: given.simplices, vertices: given.vertices };
 }
 
 // Points and simplices of what libraries return: Delaunator and d3-delaunay, or an object that has both.
@@ -95,12 +119,12 @@ export function partsOf(mesh) {
     throw new TypeError(`expected points and simplices, or an object that has both, found ${shown(mesh)}`);
   }
   const points = mesh.points ?? mesh.coords ?? mesh.vertices ?? mesh.positions;
-  const simplices = mesh.simplices ?? mesh.triangles ?? mesh.tetrahedra ?? mesh.cells;
+  const { simplices, vertices } = simplicesOf(mesh.simplices ?? mesh.triangles ?? mesh.tetrahedra ?? mesh.cells);
   if (!isArray(points) || !isArray(simplices)) {
     throw new TypeError('expected an object with points (or coords, vertices, positions) and simplices (or triangles, ' +
       `tetrahedra, cells), found one with ${Object.keys(mesh).slice(0, 8).join(', ') || 'nothing'}`);
   }
   // Those of Delaunator and d3 are flat, and in the plane.
   const isFlat = points.length === 0 || !isArray(points[0]);
-  return { points, simplices, dimension: mesh.dimension ?? (isFlat && mesh.triangles ? 2 : undefined), weights: mesh.weights };
+  return { points, simplices, vertices, dimension: mesh.dimension ?? (isFlat && mesh.triangles ? 2 : undefined), weights: mesh.weights };
 }

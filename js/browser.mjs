@@ -1,26 +1,26 @@
 // For browsers and their workers: the library is fetched while the module is loaded.
-import { imports } from './memory.mjs';
+import { imports, instance } from './memory.mjs';
 import { oracle } from './oracle.mjs';
 
-const code = await WebAssembly.compile(await (await fetch(new URL('./circumspect.wasm', import.meta.url))).arrayBuffer());
-const start = async () => {
+const place = new URL('./circumspect.wasm', import.meta.url);
+const answer = await fetch(place);
+if (!answer.ok) throw new Error(`expected the compiled library at ${place}, found ${answer.status} ${answer.statusText}`);
+const code = await WebAssembly.compile(await answer.arrayBuffer());
+
+// The first instance is made without stopping the page, which a browser demands; one that takes the place of a broken one is made
+// at once.
+async function start() {
+  const said = [];
   let exports;
-  ({ exports } = await WebAssembly.instantiate(code, imports(() => exports.memory)).then((instance) => instance));
+  ({ exports } = await WebAssembly.instantiate(code, imports(() => exports.memory, said)));
   exports._initialize();
-  return exports;
-};
-// The first instance is made without stopping the page; one that takes the place of a broken one is made at once.
-let ready = await start();
+  return { exports, said };
+}
+let first = await start();
 function instantiate() {
-  if (ready) {
-    const first = ready;
-    ready = undefined;
-    return first;
-  }
-  let exports;
-  ({ exports } = new WebAssembly.Instance(code, imports(() => exports.memory)));
-  exports._initialize();
-  return exports;
+  const made = first ?? instance(code);
+  first = undefined;
+  return made;
 }
 
 export const { check, delaunay, constrainedDelaunay, compare, certify, generate, orient, inBall, version } = oracle(instantiate);

@@ -1,8 +1,9 @@
 #!/bin/bash
 # Makes the package for npm:
 #   js/build.sh FOLDER
-# FOLDER/package is what `npm pack` packs, and FOLDER/circumspect-oracle-VERSION.tgz what it makes of it. FOLDER/libraries,
-# FOLDER/build and FOLDER/modules are those of `make web`, and are kept, so that a second build is short.
+# FOLDER/package is what `npm pack` packs, and FOLDER/circumspect-oracle-VERSION.tgz what it makes
+# of it. FOLDER/libraries, FOLDER/build and FOLDER/modules are those of `make web`, and are kept, so
+# that a second build is short.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
@@ -14,7 +15,7 @@ cmake --build "$folder/build" --target circumspect_js -j "${JOBS:-$(nproc)}"
 package=$folder/package
 rm -rf "$package" && mkdir -p "$package"
 cp "$here"/*.mjs "$here"/*.d.ts "$package/"
-rm "$package"/*_test.mjs "$package/pack.mjs"
+rm "$package"/*_test.mjs "$package"/{pack,times}.mjs
 cp "$root/docs/javascript.md" "$package/README.md"
 cp "$folder/build/js/library.wasm" "$package/circumspect.wasm"
 "$root/cmake/licences.sh" page "$folder/licences"

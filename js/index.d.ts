@@ -2,8 +2,8 @@
 export type Coordinate = number | bigint | string;
 /** Rows of coordinates, or flat ones with the option `dimension`. */
 export type Points = ReadonlyArray<ArrayLike<Coordinate>> | ArrayLike<Coordinate>;
-/** Rows of indices of points, from 0, or flat ones. */
-export type Simplices = ReadonlyArray<ArrayLike<number | bigint>> | ArrayLike<number | bigint>;
+/** Rows of indices of points, from 0, or flat ones, or a triangulation that was built. */
+export type Simplices = ReadonlyArray<ArrayLike<number | bigint>> | ArrayLike<number | bigint> | Triangulation;
 
 /** An object with points and simplices, by these names or by those of Delaunator and d3-delaunay. */
 export interface MeshLike {
@@ -30,7 +30,7 @@ export interface Domain {
 }
 
 export type Claim = 'triangulation' | 'delaunay' | 'weighted-delaunay' | 'complex' | 'plc-triangulation' |
-  'steiner-triangulation' | 'cdt' | 'steiner-cdt' | 'conforming-delaunay';
+  'steiner-triangulation' | 'cdt' | 'steiner-cdt' | 'conforming-delaunay' | 'convex-hull' | 'surface-delaunay';
 
 export interface CheckOptions {
   /** Default: 'delaunay'; with a domain 'cdt' if the mesh has its points, else 'steiner-cdt'. */
@@ -54,13 +54,21 @@ export interface CheckOptions {
   allowEmpty?: boolean;
   /** For the text. */
   name?: string;
+  /** Demands of the claim beside it, as the command's options: "manifold", "only-extreme". */
+  demands?: string | string[];
+  /** What is demanded of the shape of every simplex: "min-angle:20deg". */
+  require?: string | string[];
+  /** Sets simplices aside that touch both sides of a sharper angle: "60deg". */
+  exceptSharp?: string;
+  /** Seconds after which there is an UndecidedError. */
+  limit?: number;
   /** Give the verdict a `page`, one file of HTML with a picture of each witness. */
   pictures?: boolean;
 }
 
 export interface Value { exact: string; decimal: string }
 
-/** One witness: https://docs of the JSON document. Coordinates are exact texts. */
+/** One witness, as in the command's JSON document. Coordinates are exact texts. */
 export interface Violation {
   rule: string;
   meaning: string;
@@ -85,6 +93,8 @@ export class Verdict {
   /** By the name of each broken rule, how often it is broken. */
   readonly rules: Record<string, number>;
   readonly violations: Violation[];
+  /** What may be all that is wrong, most first. */
+  readonly causes: { cause: string; text: string; explains: number; of: number }[];
   /** The result as in the JSON document of the command. */
   readonly report: Record<string, unknown>;
   readonly page?: string;

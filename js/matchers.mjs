@@ -1,6 +1,6 @@
 // For Vitest and Jest: expect.extend(matchers). What is received is an object with points and simplices, a Delaunator, or
 // d3's Delaunay; the message of a failure has the witness.
-import { check } from './index.mjs';
+import { check } from '#index';
 
 function judged(received, options, isNot) {
   const verdict = check(received, options);

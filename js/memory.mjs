@@ -3,13 +3,18 @@
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-// What the library asks of a system: to write somewhere, the time, and to end. It has no files.
-export function imports(memory) {
+// What the library asks of a system: to write somewhere, the time, and to end. It has no files. It writes only when it must end:
+// `said` then has its last words.
+export function imports(memory, said) {
   const view = () => new DataView(memory().buffer);
   const wasi = {
     fd_write(_, vectors, count, written) {
       let size = 0;
-      for (let i = 0; i < count; ++i) size += view().getUint32(vectors + 8 * i + 4, true);
+      for (let i = 0; i < count; ++i) {
+        const [at, length] = [0, 4].map((offset) => view().getUint32(vectors + 8 * i + offset, true));
+        said.push(decoder.decode(new Uint8Array(memory().buffer, at, length)));
+        size += length;
+      }
       view().setUint32(written, size, true);
       return 0;
     },
@@ -28,7 +33,20 @@ export function imports(memory) {
     },
     proc_exit(status) { throw new WebAssembly.RuntimeError(`the library ended with status ${status}`); },
   };
-  return { wasi_snapshot_preview1: wasi, env: { emscripten_notify_memory_growth() {} } };
+  const env = {
+    emscripten_notify_memory_growth() {},
+    __call_sighandler(_, signal) { throw new WebAssembly.RuntimeError(`the library ended by signal ${signal}`); },
+  };
+  return { wasi_snapshot_preview1: wasi, env };
+}
+
+// Makes an instance of the compiled library at once.
+export function instance(code) {
+  const said = [];
+  let exports;
+  ({ exports } = new WebAssembly.Instance(code, imports(() => exports.memory, said)));
+  exports._initialize();
+  return { exports, said };
 }
 
 // What one call holds of the library's memory and objects; `end` gives all of it back.
@@ -39,7 +57,7 @@ export class Call {
   }
 
   room(bytes) {
-    const at = this.library.malloc(Math.max(bytes, 1));
+    const at = this.library.malloc(Math.max(bytes, 1)) >>> 0;
     if (at === 0) throw new RangeError(`expected room for ${bytes} bytes, found no more memory`);
     this.ends.push(() => this.library.free(at));
     return at;
@@ -61,6 +79,12 @@ export class Call {
   ints(numbers) {
     const at = this.room(4 * numbers.length);
     new Int32Array(this.library.memory.buffer, at, numbers.length).set(numbers);
+    return at;
+  }
+
+  wideInts(numbers) {
+    const at = this.room(8 * numbers.length);
+    new BigInt64Array(this.library.memory.buffer, at, numbers.length).set(numbers);
     return at;
   }
 

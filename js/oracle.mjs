@@ -1,5 +1,5 @@
 // The oracle for scripts: what the compiled library says, as values of JavaScript.
-import { indicesOf, numbersOf, partsOf } from './arrays.mjs';
+import { indicesOf, isArray, numbersOf, partsOf, placesOf, simplicesOf } from './arrays.mjs';
 import { Call } from './memory.mjs';
 
 // The input is at fault, not the mesh.
@@ -13,7 +13,7 @@ const FAULTS = { 1: TypeError, 2: InputError, 3: NoneError, 4: UndecidedError, 5
 const KINDS = ['by-walls', 'enclosed', 'hull', 'even-odd', 'winding'];
 const OPTIONS = {
   check: ['claim', 'domain', 'within', 'weights', 'dimension', 'vertices', 'oriented', 'byDefinition', 'maxViolations', 'duplicates',
-    'allowEmpty', 'name', 'pictures'],
+    'allowEmpty', 'name', 'pictures', 'demands', 'require', 'exceptSharp', 'limit'],
   points: ['weights', 'dimension'],
   generate: ['dimension', 'count', 'seed'],
 };
@@ -24,14 +24,18 @@ function refuseUnknown(options, known) {
   }
 }
 
-const isOption = (value) => value !== null && typeof value === 'object' && !Array.isArray(value) && !ArrayBuffer.isView(value);
+// Where each list begins in all of them, and where the last one ends.
+function starts(lists) {
+  let end = 0;
+  return [0, ...lists.map(({ length }) => (end += length))];
+}
+
+const isOption = (value) => value !== null && typeof value === 'object' && !isArray(value);
 
 // (points, simplices, options), or (mesh, options).
 function meshAndOptions(first, second, third) {
-  if (second === undefined || (isOption(second) && third === undefined)) {
-    return [partsOf(first), second ?? {}];
-  }
-  return [{ points: first, simplices: second }, third ?? {}];
+  if (isArray(first)) return [{ points: first, ...simplicesOf(second) }, third ?? {}];
+  return [partsOf(first), second ?? {}];
 }
 
 // What was judged: does it hold, and if not, why.
@@ -42,23 +46,35 @@ export class Verdict {
   // By the name of each broken rule, how often it is broken.
   get rules() { return Object.fromEntries((this.report.rules ?? []).map(({ rule, count }) => [rule, count])); }
   get violations() { return this.report.violations ?? []; }
+  get causes() { return this.report.causes ?? []; }
+}
+
+// A trap, an exception of C++ and a stack that is full leave the library's memory in no state to go on with.
+const breaksLibrary = (fault) => fault instanceof WebAssembly.RuntimeError || fault instanceof WebAssembly.Exception ||
+  (fault instanceof RangeError && /call stack/.test(fault.message));
+
+// Why the library ended: GMP says so when there is no memory for a number, and an assertion says which it is.
+function endOf(fault, said) {
+  const words = said.join('').trim();
+  if (words !== '' && !/memory/i.test(words)) return new Error(`internal error: ${words}; please report it`, { cause: fault });
+  return new RangeError('expected memory for this mesh and its exact numbers, found no more: the library was ended', { cause: fault });
 }
 
 // `instantiate`: makes a new instance of the compiled library, without waiting.
 export function oracle(instantiate) {
   let library;
+  let said;
   const call = (act) => {
-    library ??= instantiate();
+    if (library === undefined) ({ exports: library, said } = instantiate());
     const one = new Call(library);
     try {
       const found = act(one, library);
       one.end();
       return found;
     } catch (fault) {
-      // What was trapped left the library's memory in no state to go on with: the next call begins with a new one.
-      if (fault instanceof WebAssembly.RuntimeError) {
+      if (breaksLibrary(fault)) {
         library = undefined;
-        throw new RangeError('expected memory for the exact numbers of this mesh, found none: the library was ended', { cause: fault });
+        throw endOf(fault, said);
       }
       one.end();
       throw fault;
@@ -91,8 +107,10 @@ export function oracle(instantiate) {
   const mesh = (one, parts, options) => {
     const dimension = options.dimension ?? parts.dimension;
     const set = points(one, { points: parts.points, weights: options.weights ?? parts.weights }, { dimension });
-    const { indices, columns } = indicesOf(parts.simplices, 'simplices', options.vertices ?? set.dimension + 1);
-    return one.owned(library.mesh_new(...set.arguments, indices.length / columns, columns, one.ints(indices)), 'mesh_delete');
+    const { indices, columns } = indicesOf(parts.simplices, 'simplices', options.vertices ?? parts.vertices ?? set.dimension + 1);
+    const isWide = indices instanceof BigInt64Array;
+    return one.owned(library.mesh_new(...set.arguments, columns === 0 ? 0 : indices.length / columns, columns, isWide ? 8 : 4,
+      isWide ? one.wideInts(indices) : one.ints(indices)), 'mesh_delete');
   };
 
   const seeds = (one, values, what, dimension) => {
@@ -108,15 +126,14 @@ export function oracle(instantiate) {
     const set = points(one, { points: asked.points }, { dimension: asked.dimension });
     const made = one.owned(library.domain_new(...set.arguments.slice(0, 4), kind, Number(Boolean(asked.mergeCoplanar))), 'domain_delete');
     if (asked.segments?.length > 0) {
-      const { indices } = indicesOf(asked.segments, 'segments', 2);
+      const indices = placesOf(asked.segments, 'segments', 2);
       library.domain_segments(made, indices.length / 2, one.ints(indices));
     }
     if (asked.polygons?.length > 0) {
       // A polygon is a list of corners, or of several such lists: its outline, holes, segments, vertices.
       const lines = Array.from(asked.polygons, (polygon) => (typeof polygon[0] === 'number' ? [polygon] : Array.from(polygon)));
-      const starts = (lists) => lists.reduce((sums, { length }) => [...sums, sums.at(-1) + length], [0]);
       const all = lines.flat();
-      const corners = indicesOf(all.flatMap((line) => Array.from(line)), 'polygons', 1).indices;
+      const corners = placesOf(all.flatMap((line) => Array.from(line)), 'polygons', 1);
       library.domain_polygons(made, lines.length, one.ints(starts(lines)), all.length, one.ints(starts(all)), corners.length, one.ints(corners));
     }
     if (asked.holes?.length > 0) library.domain_holes(made, ...seeds(one, asked.holes, 'holes', set.dimension));
@@ -124,7 +141,7 @@ export function oracle(instantiate) {
     const inPolygons = Object.entries(asked.polygonHoles ?? {}).flatMap(([polygon, places]) => places.map((place) => [Number(polygon), place]));
     if (inPolygons.length > 0) {
       const [count, ...arrays] = seeds(one, inPolygons.map(([, place]) => place), 'polygonHoles', 3);
-      library.domain_polygon_holes(made, count, one.ints(inPolygons.map(([polygon]) => polygon)), ...arrays);
+      library.domain_polygon_holes(made, count, one.ints(placesOf(inPolygons.map(([polygon]) => polygon), 'the keys of polygonHoles', 1)), ...arrays);
     }
     return made;
   };
@@ -156,11 +173,17 @@ export function oracle(instantiate) {
     if (![undefined, 'merge'].includes(options.duplicates)) {
       throw new TypeError(`expected duplicates: "merge", found ${options.duplicates}`);
     }
+    if (options.limit !== undefined && !(options.limit > 0)) {
+      throw new RangeError(`expected a limit in seconds, above 0, found ${options.limit}`);
+    }
+    const required = [options.require ?? []].flat();
     const judged = mesh(one, parts, options);
     const filled = options.domain === undefined ? 0 : domain(one, options.domain);
     const verdict = result(one, 'check', one.text(options.claim), judged, filled, options.maxViolations ?? 20,
       Number(Boolean(options.byDefinition)), Number(Boolean(options.oriented)), one.text(options.within), one.text(options.name),
-      options.pictures ? 20 : 0, Number(options.duplicates === 'merge'), Number(Boolean(options.allowEmpty)));
+      options.pictures ? 20 : 0, Number(options.duplicates === 'merge'), Number(Boolean(options.allowEmpty)),
+      one.text([options.demands ?? []].flat().join(' ')), required.length, one.texts(required), one.text(options.exceptSharp),
+      options.limit ?? 0);
     return verdictOf(one, one.owned(verdict, 'verdict_delete'), options);
   });
 
@@ -222,8 +245,8 @@ export function oracle(instantiate) {
       const rows = library.mesh_points(drawn);
       const array = (at, length) => new Float64Array(library.memory.buffer, at, length).slice();
       const weights = library.mesh_weights(drawn);
-      return { points: array(library.mesh_coordinates(drawn), rows * dimension), dimension,
-        weights: weights === 0 ? undefined : array(weights, rows) };
+      return { points: array(library.mesh_coordinates(drawn) >>> 0, rows * dimension), dimension,
+        weights: weights === 0 ? undefined : array(weights >>> 0, rows) };
     }),
     // The sign of det(p0 − pd, …): in the plane 1 if counterclockwise.
     orient: predicate('orientation', 1),

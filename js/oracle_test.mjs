@@ -59,14 +59,20 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
   fails([[0, 0, 1, 0], [[0, 1]]], TypeError, /found a flat array/);
   fails([[[0, 0], [1]], halves], RangeError, /rows of 2, found row 1 of 1/);
   fails([square, [[0, 1, 2.5]]], RangeError, /expected indices of points as simplices, found 2.5/);
-  fails([square, [[0, 1, 2 ** 40]]], RangeError, /found 1099511627776/);
+  fails([square, [[0, 1, NaN]]], RangeError, /expected indices of points as simplices, found NaN/);
+  fails([square, [[0, 1, '2']]], RangeError, /expected indices of points as simplices, found "2"/);
+  fails([square.flat(), [0, 1, 2], { dimension: 1.6 }], RangeError, /expected how long a row of points is, at least 1, found 1.6/);
+  fails([square, halves, { limit: -1 }], RangeError, /expected a limit in seconds, above 0, found -1/);
+  fails([square, halves, { domain: { points: square, segments: [[0, 2 ** 40]] } }], RangeError, /segments, found one beyond 32 bits/);
+  fails([square, halves, { domain: { points: square, polygonHoles: { first: [[0, 0, 0]] } } }], RangeError, /keys of polygonHoles/);
   fails([square, halves, { clam: 'cdt' }], TypeError, /found clam/);
   fails([square, halves, { claim: 'nonsense' }], TypeError, /expected a claim about a mesh/);
   fails([square, halves, { weights: [1] }], RangeError, /a weight for each of 4 points, found 1/);
   fails([[[null, 0], [1, 0]], [[0, 1]]], TypeError, /found null/);
   const gone = Float64Array.from(square.flat());
   structuredClone(gone.buffer, { transfer: [gone.buffer] });
-  fails([gone, [0, 1, 2], { dimension: 2 }], Error, /detached|without points|expected/);
+  fails([gone, [0, 1, 2], { dimension: 2 }], TypeError, /expected points, found an array whose buffer was detached: transfer a copy/);
+  fails([square, gone, { vertices: 3 }], TypeError, /expected simplices, found an array whose buffer was detached/);
 });
 
 test('an input at fault is an InputError; a fault of the mesh is a verdict', () => {
@@ -76,7 +82,11 @@ test('an input at fault is an InputError; a fault of the mesh is a verdict', () 
   assert.equal(merged.notes.length, 1);
   assert.throws(() => oracle.check([[0, 0], [1, NaN], [0, 1]], [[0, 1, 2]]), oracle.InputError);
   assert.throws(() => oracle.check([], []), Error);
-  assert.deepEqual(oracle.check(square, [[0, 1, 9]]).rules, { 'triangulation.unknown-vertex': 1, 'triangulation.unused-point': 2 });
+  // Whatever an index is that names no point: libraries write 4294967295 for none.
+  for (const none of [9, -1, 2 ** 32 - 1, 2 ** 40, 12345678901234n]) {
+    assert.deepEqual(oracle.check(square, [[0, 1, none]]).rules, { 'triangulation.unknown-vertex': 1, 'triangulation.unused-point': 2 });
+  }
+  assert.match(oracle.check(square, Uint32Array.of(0, 1, 2 ** 32 - 1), { vertices: 3 }).text, / vertex   4294967295$/m);
 });
 
 test('domains, with the claim that fits', () => {
@@ -102,6 +112,18 @@ test('references, comparisons, certificates and drawn points', () => {
   assert.throws(() => oracle.generate('no-such-family'), TypeError);
 });
 
+test('demands beside the claim, and an end after a time', () => {
+  assert.deepEqual(oracle.check(square, halves, { require: 'min-angle:45deg' }).holds, true);
+  assert.deepEqual(Object.keys(oracle.check(square, halves, { require: ['min-angle:46deg'] }).rules), ['quality.min-angle']);
+  const apart = [[0, 0], [1, 0], [0, 1], [5, 5], [6, 5], [5, 6]];
+  const parted = oracle.check(apart, [[0, 1, 2], [3, 4, 5]], { claim: 'complex', demands: 'connected' });
+  assert.deepEqual(parted.rules, { 'complex.not-connected': 1 });
+  const { points } = oracle.generate('uniform', { dimension: 3, count: 1000, seed: 1 });
+  const { simplices } = oracle.delaunay(points, { dimension: 3 });
+  assert.throws(() => oracle.check(points, simplices, { dimension: 3, byDefinition: true, limit: 1e-6 }), oracle.UndecidedError);
+  assert.equal(oracle.check(points, simplices, { dimension: 3 }).holds, true);  // the limit was of one call
+});
+
 test('matchers pass and fail as they say, with the witness in the message', () => {
   assert.equal(matchers.toBeDelaunay({ points: square, triangles: halves }).pass, true);
   const wrong = matchers.toBeTriangulation({ points: square, triangles: halves.slice(1) });
@@ -113,6 +135,39 @@ test('a page with pictures, where it is asked for', () => {
   const verdict = oracle.check([[0, 0], [1, 0], [0, 1], [0.9, 0.9]], [[0, 1, 2], [1, 3, 2]], { pictures: true });
   assert.match(verdict.page, /^<!DOCTYPE html>/);
   assert.equal(oracle.check(square, halves).page, undefined);
+});
+
+test('a worker answers as the module does, and says so when it is ended', async () => {
+  const { startWorker } = await import(pathToFileURL(join(folder, 'worker.mjs')));
+  const worker = await startWorker();
+  const verdict = await worker.check(square, halves.slice(1));
+  assert.equal(verdict.text, oracle.check(square, halves.slice(1)).text);
+  assert.deepEqual(verdict.rules, { 'triangulation.unused-point': 1 });
+  assert.ok(verdict instanceof oracle.Verdict);
+  assert.equal(await worker.orient([0, 0], [1, 0], [0, 1]), 1);
+  await assert.rejects(worker.check([...square, [0, 0]], halves), oracle.InputError);
+  await assert.rejects(worker.check(square, halves, { clam: 'cdt' }), TypeError);
+  const { points } = oracle.generate('uniform', { dimension: 3, count: 300, seed: 1 });
+  const long = worker.check(points, oracle.delaunay(points, { dimension: 3 }).simplices, { dimension: 3, byDefinition: true });
+  worker.end();
+  await assert.rejects(long, /^Error: expected an answer, found that the worker was ended: end\(\) was called$/);
+  await assert.rejects(worker.check(square, halves), /expected a worker, found that it was ended: .*; start another/);
+});
+
+test('a library that had to end says why, and the next call has another one', async () => {
+  const from = (name) => import(pathToFileURL(join(folder, name)));
+  const [{ instance }, { oracle: oracleOf }] = [await from('memory.mjs'), await from('oracle.mjs')];
+  const code = new WebAssembly.Module(readFileSync(join(folder, 'circumspect.wasm')));
+  const lastWords = ['GNU MP: Cannot allocate memory (size=8)\n', 'Assertion failed: holds\n'];
+  const tried = oracleOf(() => {
+    const { exports, said } = instance(code);
+    const words = lastWords.shift();
+    const version = () => { said.push(words); throw new WebAssembly.RuntimeError('unreachable'); };
+    return { exports: words ? { ...exports, version } : exports, said };
+  });
+  assert.throws(() => tried.version(), /^RangeError: expected memory for this mesh and its exact numbers, found no more/);
+  assert.throws(() => tried.version(), /^Error: internal error: Assertion failed: holds; please report it$/);
+  assert.equal(tried.version(), oracle.version());
 });
 
 test('require() brings the same', () => {

@@ -13,9 +13,10 @@ writeFileSync(join(folder, 'package.json'), `${JSON.stringify({ ...described, ve
 const texts = [['Circumspect', read(licence)], ...readdirSync(licences).sort().map((name) => [name, read(licences, name)])];
 writeFileSync(join(folder, 'LICENSES.txt'), texts.map(([name, text]) =>
   `${'='.repeat(78)}\n${name}\n${'='.repeat(78)}\n${text.trim()}\n`).join('\n'));
-// One copy of the library for both: matchers.cjs asks index.cjs.
-const options = { bundle: true, platform: 'node', format: 'cjs', target: 'node18', charset: 'ascii',
-  define: { 'import.meta.url': 'url' }, banner: { js: "const url = require('node:url').pathToFileURL(__filename).href;" } };
-esbuild.buildSync({ ...options, entryPoints: [join(sources, 'index.mjs')], outfile: join(folder, 'index.cjs') });
-esbuild.buildSync({ ...options, entryPoints: [join(sources, 'matchers.mjs')], outfile: join(folder, 'matchers.cjs'),
-  plugins: [{ name: 'index', setup: (build) => build.onResolve({ filter: /^\.\/index\.mjs$/ }, () => ({ path: './index.cjs', external: true })) }] });
+// One copy of the library for all of them: they ask #index, which is index.cjs for require().
+for (const name of ['index', 'matchers', 'jest', 'arbitraries']) {
+  esbuild.buildSync({ bundle: true, platform: 'node', format: 'cjs', target: 'node18', charset: 'ascii',
+    define: { 'import.meta.url': 'url' }, banner: { js: "const url = require('node:url').pathToFileURL(__filename).href;" },
+    external: ['#index', '@jest/globals', 'fast-check'], entryPoints: [join(sources, `${name}.mjs`)], outfile: join(folder, `${name}.cjs`) });
+  writeFileSync(join(folder, `${name}.d.cts`), read(sources, `${name}.d.ts`).replaceAll(/'(\.\/\w+)\.js'/g, "'$1.cjs'"));
+}

@@ -1,7 +1,8 @@
 #!/bin/bash
 # Configures what is compiled to WebAssembly: the page, and the package for npm.
 #   command/web/configure.sh FOLDER
-# FOLDER/libraries has what it is linked with, FOLDER/modules what packs it, and FOLDER/build is the folder to build in.
+# FOLDER/libraries has what it is linked with, FOLDER/modules what packs it, and FOLDER/build is the
+# folder to build in.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

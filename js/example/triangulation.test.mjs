@@ -1,12 +1,10 @@
 // Delaunator and d3-delaunay under test:   npm install && npx vitest run
-import Delaunator from 'delaunator';
+import 'circumspect-oracle/vitest';
+import { points } from 'circumspect-oracle/arbitraries';
 import { Delaunay } from 'd3-delaunay';
+import Delaunator from 'delaunator';
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { points } from 'circumspect-oracle/arbitraries';
-import { matchers } from 'circumspect-oracle/matchers';
-
-expect.extend(matchers);
 
 describe('five points', () => {
   const five = [[0, 0], [3, 0], [0, 2], [3, 4], [1, 1]];
