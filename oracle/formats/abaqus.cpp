@@ -14,8 +14,8 @@
 namespace circumspect::formats {
 namespace {
 
-// Types by their names: the longest that a name begins with counts, and what follows it (R: reduced
-// integration, H: hybrid, …) says nothing about the shape.
+// Types by what their names begin with: the letters that follow (R: reduced integration, H: hybrid,
+// …) say nothing about the shape. No two of them begin one name.
 struct Type {
   std::string_view name;
   std::size_t nodes;
@@ -68,15 +68,13 @@ constexpr std::array kTypes = {
 };
 
 const Type* type_of(std::string_view name) {
-  const Type* found = nullptr;
-  for (const Type& type : kTypes) {
-    if (!name.starts_with(type.name)) continue;
+  const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), [&](const Type& type) {
+    if (!name.starts_with(type.name)) return false;
     // "C3D10" is no "C3D1" with something behind it.
     const std::string_view behind = name.substr(type.name.size());
-    if (!behind.empty() && std::isdigit(static_cast<unsigned char>(behind.front())) != 0) continue;
-    if (found == nullptr || found->name.size() < type.name.size()) found = &type;
-  }
-  return found;
+    return behind.empty() || std::isdigit(static_cast<unsigned char>(behind.front())) == 0;
+  });
+  return found == kTypes.end() ? nullptr : found;
 }
 
 std::string upper(std::string_view word) {
