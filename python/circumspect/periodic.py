@@ -1,13 +1,13 @@
 """How a lattice repeats a mesh, as arrays."""
 from __future__ import annotations
 
-from typing import Any, Tuple
+from typing import Any, Optional, Tuple
 
 from .meshes import Mesh, array_of
 from .voronoi import doubles_of
 
 
-def periodic_of(claim: str, mesh: Mesh, lattice: Any, offsets: Any) -> Tuple[Any, Any]:
+def periodic_of(claim: Optional[str], mesh: Mesh, lattice: Any, offsets: Any) -> Tuple[Any, Any]:
     """What `_core` takes of both; nothing if the claim is not about meshes that repeat."""
     import numpy as np
 
