@@ -1,5 +1,5 @@
-// What check cannot do beside another option is refused, and never left out: a verdict would be about
-// less than was asked for.
+// What check cannot do beside another option is refused, and never left out: a verdict would be
+// about less than was asked for.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
