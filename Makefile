@@ -193,13 +193,14 @@ soak: deps-test
 	@properties/soak.sh build/release $(MINUTES)
 
 # Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
-# Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md).
+# Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md): with CHANGED=1 of the
+# files that are others than those that were tried, with FILES=oracle/judge/voronoi of some.
 mutants: deps-test
 	@python3 properties/mutants.py build/mutants
 
 mutants-generated: deps-test
 	@cmake/packages.sh mutants
-	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated
+	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES))
 
 # The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, where the readers take many
 # times as many inputs a second; then what was kept, and some more, under the sanitizers.

@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
 """Mutants of the deciding code that nobody thought of: is each of them noticed by `make test`?
 
-    generated_mutants.py --check              every row of generated_mutants.tsv still applies to the sources
-    generated_mutants.py WORK_FOLDER          makes them, compiles them, runs the tests; prints the table of docs/mutants.md
+    generated_mutants.py --check              every row of generated_mutants.tsv still applies to the sources; names the files
+                                              that are others than those that were tried
+    generated_mutants.py WORK_FOLDER          makes them, compiles them, runs the tests; prints the table of docs/mutants.md,
+                                              and one by operators; writes mutants_noticed.tsv, a row a file
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
     generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
     ... --count 700 --seed 20260101           how many of all there are, and which
+    ... --files PATTERN                       only those of files whose names match this
+    ... --changed                             only those of files that are others than those that were tried
     ... --only TEXT                           only the mutants whose description has this text
 
-A mutant changes one token of one line: a comparison (`<` to `<=`, `==` to `!=` ...), `and` to `or`, a sum to a difference, a
-sign, a number, or what a function returns. Clang's parser (libclang) finds the places; the ones to try are those whose
-description has the lowest hash values, so that a change of one line leaves the choice of all others as it was.
+mutant_places.py says what a mutant changes. The ones to try are those whose description has the lowest hash values, so that
+a change of one line leaves the choice of all others as it was.
 
 All mutants are compiled at once, as in mutants.py. First each test is run without a mutant and writes down which mutants it
-comes across; then each mutant is tried on these tests, the quick ones first, until one fails, crashes or does not end.
+comes across; then each mutant is tried on these tests, those first that notice most in a second, until one fails, crashes
+or does not end.
 A mutant that survives and is not in generated_mutants.tsv, with the reason why it changes no answer, is a failure; so is
 one that is in it and is killed.
 """
@@ -33,14 +37,19 @@ import sys
 import time
 
 import mutants
+from mutant_places import NEVER, NOTHING, Mutant, generated
 from mutants import AS_IN_THE_MAKEFILE, ROOT
 
 ALL_TARGETS = ["all"]
 MEMORY = 8 << 30
 TABLE = "properties/generated_mutants.tsv"
+NOTICED = ROOT / "properties/mutants_noticed.tsv"
 # What decides: predicates, checkers, engine, readers.
 GROUPS = {"predicates": ["kernel/predicates/*.cpp", "kernel/exact/linear_algebra.cpp"],
           "exact checkers": ["oracle/judge/*.cpp", "oracle/judge/points/*.cpp", "oracle/judge/domain/*.[ch]pp"],
+          "other claims": ["oracle/judge/complex/*.cpp", "oracle/judge/convex_hull/*.cpp", "oracle/judge/surface/*.cpp",
+                           "oracle/judge/voronoi/*.cpp", "oracle/judge/quality/*.[ch]pp", "oracle/judge/cause/*.cpp"],
+          "beyond rounding": ["oracle/judge/within/*.[ch]pp", "oracle/domain/*.cpp"],
           "fast judge": ["oracle/judge/fast/*.[ch]pp", "oracle/judge/fast/predicates/*.[ch]pp"],
           "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"]}
 # Writers and what only says something in words decide nothing.
@@ -79,149 +88,6 @@ struct ReachedMutants {
 } reached_mutants;
 }  // namespace
 """
-OTHER = {"<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="],
-         "&&": ["||"], "||": ["&&"], "+": ["-"], "-": ["+"]}
-
-
-class Mutant:
-    """`place` and `end` enclose the expression that is asked for anew, and `text` is it when mutated; `token` (offset,
-    length) is what the description encloses in «»."""
-
-    def __init__(self, file, source, place, end, text, token, other):
-        self.file, self.place, self.end, self.text = file, place, end, text
-        start = source.rfind("\n", 0, token[0]) + 1
-        stop = source.find("\n", token[0])
-        self.line_number = source.count("\n", 0, start) + 1
-        cut = token[0] + token[1]
-        pieces = [piece.encode("latin-1").decode() for piece in (source[start:token[0]], source[token[0]:cut], source[cut:stop])]
-        self.line = "{}«{}»{}".format(*pieces).strip()
-        self.other = other
-        self.kind = "number" if source[token[0]].isdigit() else source[token[0]:token[0] + token[1]]
-
-    def key(self):
-        return self.file, self.line, self.other
-
-
-def outside_macros(unit, cindex, name):
-    """Whether an extent has nothing to do with a macro."""
-    inside = [(c.extent.start.offset, c.extent.end.offset) for c in unit.cursor.get_children()
-              if c.kind == cindex.CursorKind.MACRO_INSTANTIATION and c.location.file and c.location.file.name == name]
-    return lambda start, end: not any(a < end and start < b for a, b in inside)
-
-
-def generated(file):
-    """The mutants of a file, in the order of their places."""
-    from clang import cindex
-    source_bytes = (ROOT / file).read_bytes()
-    # Offsets are those of bytes: the text is taken as one character a byte.
-    source = source_bytes.decode("latin-1")
-    K = cindex.CursorKind
-    unit = cindex.Index.create().parse(
-        str(ROOT / file), args=["-x", "c++", "-std=c++20", f"-I{ROOT}", f"-I{ROOT}/include", "-ferror-limit=0"],
-        options=cindex.TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
-    name = str(ROOT / file)
-    outside = outside_macros(unit, cindex, name)
-    found = []
-
-    def text(a, b):
-        return source[a:b]
-
-    def add(cursor, mutated, token, other):
-        start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        # The lines that the compiler names have to stay what they are.
-        if start < end and outside(start, end) and "//" not in mutated:
-            found.append(Mutant(file, source, start, end, mutated.replace("\n", " "), token, other))
-
-    def is_number(cursor):
-        return cursor.type.get_canonical().kind.name in (
-            "INT", "UINT", "LONG", "ULONG", "LONGLONG", "ULONGLONG", "DOUBLE", "SCHAR", "UCHAR", "SHORT", "USHORT", "CHAR_S")
-
-    def is_bool(cursor):
-        return cursor.type.get_canonical().kind.name == "BOOL"
-
-    def constant(cursor):
-        """Whether what stands here has to be known to the compiler."""
-        start = cursor.extent.start.offset
-        if cursor.kind in (K.STATIC_ASSERT, K.ENUM_CONSTANT_DECL, K.TEMPLATE_NON_TYPE_PARAMETER,
-                           K.TEMPLATE_TYPE_PARAMETER, K.TYPE_ALIAS_DECL, K.TYPE_ALIAS_TEMPLATE_DECL,
-                           K.TYPE_REF, K.TEMPLATE_REF, K.FIELD_DECL):
-            return True
-        if cursor.kind in (K.FUNCTION_DECL, K.CXX_METHOD, K.FUNCTION_TEMPLATE, K.VAR_DECL, K.CONSTRUCTOR):
-            head = re.split(r"[({=]", text(max(0, start - 60), cursor.extent.end.offset)[min(60, start):], maxsplit=1)[0]
-            return re.search(r"\bconst(expr|eval|init)\b|\bstatic const\b", head) is not None
-        return False
-
-    def binary(cursor):
-        children = list(cursor.get_children())
-        operands = [children[0], children[-1]]
-        between = (operands[0].extent.end.offset, operands[1].extent.start.offset)
-        match = re.fullmatch(r"\s*([<>=!&|+*/-]+)\s*", text(*between))
-        if not match or match[1] not in OTHER:
-            return
-        operator, at = match[1], between[0] + match.start(1)
-        if operator in ("+", "-") and not (is_number(cursor) and all(is_number(o) for o in operands)):
-            return
-        start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        for other in OTHER[operator]:
-            add(cursor, text(start, at) + other + text(at + len(operator), end), (at, len(operator)), other)
-
-    def visit(cursor, parent):
-        if constant(cursor):
-            return
-        start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        children = list(cursor.get_children())
-        if cursor.kind == K.IF_STMT and re.match(r"if\s+constexpr\b", text(start, end)):
-            for child in children[1:]:
-                visit(child, cursor)
-            return
-        if cursor.kind == K.CASE_STMT:
-            for child in children[1:]:
-                visit(child, cursor)
-            return
-        if cursor.kind == K.DECL_STMT and re.match(r"(static\s+)?constexpr\b", text(start, end)):
-            return
-        if cursor.kind == K.BINARY_OPERATOR and len(children) == 2:
-            binary(cursor)
-        elif cursor.kind == K.CALL_EXPR and re.match(r"operator([<>=!]=?)$", cursor.spelling) and len(children) == 3:
-            binary(cursor)
-        elif cursor.kind == K.UNARY_OPERATOR and len(children) == 1 and source[start] in "!-" and source[start + 1] != source[start]:
-            # What `!` stands before may be of a class, and is then asked as a condition is.
-            if source[start] == "!" and source[start + 1] != "=":
-                add(cursor, f"!!({text(start + 1, end)})", (start, 1), "")
-            elif source[start] == "-" and is_number(cursor):
-                add(cursor, f"({text(start + 1, end)})", (start, 1), "")
-        elif cursor.kind == K.RETURN_STMT and len(children) == 1:
-            child = children[0]
-            a, b = child.extent.start.offset, child.extent.end.offset
-            if is_bool(child):
-                add(child, f"!({text(a, b)})", (start, 6), "return !")
-            elif child.type.get_canonical().kind.name == "INT" and not text(a, b).strip() == "0":
-                add(child, f"-({text(a, b)})", (start, 6), "return -")
-        elif cursor.kind == K.INTEGER_LITERAL and parent.kind not in (K.INIT_LIST_EXPR, K.VAR_DECL):
-            number = text(start, end)
-            if re.fullmatch(r"\d+", number):
-                other = str(int(number) - 1) if int(number) > 1 else str(1 - int(number))
-                add(cursor, other, (start, end - start), other)
-        for child in children:
-            visit(child, cursor)
-
-    def top(cursor):
-        for child in cursor.get_children():
-            if child.location.file is None or child.location.file.name != name:
-                continue
-            visit(child, cursor)
-
-    top(unit.cursor)
-    unique = {}
-    for mutant in sorted(found, key=lambda m: (m.place, -m.end, m.text)):
-        unique.setdefault((mutant.place, mutant.end, mutant.text), mutant)
-    # A line that stands twice in a file has one description: the first is the one that is tried.
-    first = {}
-    for mutant in unique.values():
-        first.setdefault(mutant.key(), mutant)
-    return list(first.values())
-
-
 def group_of(file):
     return next(group for group, patterns in GROUPS.items()
                 if any(pathlib.PurePath(file).match(p) and len(pathlib.PurePath(p).parts) == len(pathlib.PurePath(file).parts)
@@ -244,12 +110,14 @@ def with_mutants(source, inside, begin, end):
     out, at = [], begin
     while inside:
         start, stop = inside[0].place, inside[0].end
-        here = [m for m in inside if (m.place, m.end) == (start, stop)]
+        # What is left out as a whole has no value: it asks last, outside of the others.
+        here = sorted((m for m in inside if (m.place, m.end) == (start, stop)), key=lambda m: m.other in (NOTHING, NEVER))
         deeper = [m for m in inside if m.place < stop and m not in here]
         inside = [m for m in inside if m.place >= stop]
-        out.append(source[at:start])
-        out += [f"(circumspect_mutated({m.number}) ? ({m.text}) : " for m in here]
-        out.append("(" + with_mutants(source, deeper, start, stop) + ")" + ")" * len(here))
+        expression = with_mutants(source, deeper, start, stop)
+        for mutant in here:
+            expression = mutant.asked(expression)
+        out += [source[at:start], expression]
         at = stop
     return "".join([*out, source[at:end]])
 
@@ -342,12 +210,45 @@ def record(work, tests):
     return sorted((test for test in tests if test.reached), key=lambda test: test.seconds)
 
 
-def killer(mutant, tests):
-    """The name of the first test that notices it, or None."""
-    for test in tests:
+def killer(mutant, tests, noticed):
+    """The name of the first test that notices it, or None. `noticed`: how many each test has noticed so far."""
+    for test in sorted(tests, key=lambda test: (test.seconds + 0.01) / (1 + noticed[test.name])):
         if mutant.number in test.reached and not test.passes(mutant.number, 10 + 10 * test.seconds):
+            noticed[test.name] += 1
             return test.name
     return None
+
+
+def digest(file):
+    return hashlib.sha256((ROOT / file).read_bytes()).hexdigest()[:12]
+
+
+def read_noticed():
+    """The rows of mutants_noticed.tsv, by their files."""
+    if not NOTICED.is_file():
+        return {}
+    rows = [line.split("\t") for line in NOTICED.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    return {row[0]: row[1:] for row in rows}
+
+
+def write_noticed(killed, table):
+    """The rows of the files that were tried are new, and those of files that are gone are left out."""
+    rows = {file: row for file, row in read_noticed().items() if (ROOT / file).is_file()}
+    for file in {key[0] for key in killed}:
+        names = [(key, name) for key, name in killed.items() if key[0] == file]
+        same = sum(name is None and key in table for key, name in names)
+        most = collections.Counter(name for _, name in names if name).most_common(1)
+        dead = sum(name is not None for _, name in names)
+        rows[file] = [digest(file), *map(str, (len(names), dead, same, len(names) - dead - same)), most[0][0] if most else "-"]
+    lines = ["# generated_mutants.py writes this: a file and its digest when it was tried, how many mutants, how many of them were",
+             "# noticed, change no answer, survive; and the test that noticed most."]
+    lines += ["\t".join([file, *row]) for file, row in sorted(rows.items())]
+    NOTICED.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def changed(names):
+    known = read_noticed()
+    return [file for file in names if known.get(file, [""])[0] != digest(file)]
 
 
 def read_table():
@@ -372,7 +273,7 @@ def all_of(work, names):
     """The mutants of these files. Parsing takes minutes, so they are kept in the folder, each file's by its content."""
     cache = work / "build/generated_mutants"
     cache.mkdir(parents=True, exist_ok=True)
-    own = (inspect.getsource(generated) + inspect.getsource(Mutant)).encode()
+    own = inspect.getsource(sys.modules[generated.__module__]).encode()
     kept = {file: cache / hashlib.sha256(own + file.encode() + (ROOT / file).read_bytes()).hexdigest() for file in names}
     missing = [file for file in kept if not kept[file].is_file()]
     # What libclang has parsed is freed when its process ends, and seldom before.
@@ -393,6 +294,17 @@ def print_table(killed, table):
         print(f"| {name} | {len(of_it)} | {dead} | {same} | {len(of_it) - dead - same} | {share} |")
 
 
+def print_operators(killed, table):
+    """What becomes of the mutants of each operator."""
+    counts = collections.defaultdict(collections.Counter)
+    for (file, line, other), name in killed.items():
+        token = re.search("«(.*)»", line)[1]
+        kind = other if other in (NOTHING, NEVER, "swapped") else "number" if token[:1].isdigit() else f"{token} to {other}"
+        counts[kind]["noticed" if name else "changes no answer" if (file, line, other) in table else "survives"] += 1
+    for kind, of_it in sorted(counts.items()):
+        print(f"{kind:24}" + ", ".join(f"{count} {what}" for what, count in sorted(of_it.items())))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("work", nargs="?", type=pathlib.Path)
@@ -401,6 +313,8 @@ def main():
     parser.add_argument("--count", type=int, default=700)
     parser.add_argument("--seed", type=int, default=20260101)
     parser.add_argument("--only", default="")
+    parser.add_argument("--files", type=re.compile, default=re.compile(""))
+    parser.add_argument("--changed", action="store_true")
     parser.add_argument("--targets", type=lambda text: text.split(","), default=ALL_TARGETS, help="test programs, parted by commas")
     parser.add_argument("--tests", default="", help="a pattern of names of tests")
     parser.add_argument("--again", action="store_true", help="only those that survived the last time")
@@ -409,6 +323,9 @@ def main():
     table = read_table()
     wrong = list(faults(table))
     print("\n".join([*wrong, f"generated mutants with a reason to survive: {len(table)}, {len(wrong)} faults"]))
+    names = [file for file in files() if options.files.search(file)]
+    if options.check and (others := changed(names)):
+        print(f"{len(others)} of {len(names)} files are others than those that were tried: make mutants-generated CHANGED=1")
     if wrong or options.check:
         return 1 if wrong else 0
     if options.work is None:
@@ -424,7 +341,7 @@ def main():
         open_ones = {key for key, name in killed.items() if name is None and options.only in "\t".join(key)}
         tried = [m for m in all_of(work, sorted({key[0] for key in open_ones})) if m.key() in open_ones]
     else:
-        tried = chosen(all_of(work, files()), options.seed, options.count)
+        tried = chosen(all_of(work, changed(names) if options.changed else names), options.seed, options.count)
     if options.sources:
         for number, mutant in enumerate(tried, 1):
             mutant.number = number
@@ -433,13 +350,17 @@ def main():
     to_try = build(work, [m for m in tried if options.only in "\t".join(m.key())], options.targets)
     tests = record(work, tests_of(work, options.targets, options.tests))
     print(f"{len(to_try)} mutants, {len(tests)} tests that come across one", flush=True)
+    noticed = collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for mutant, name in zip(to_try, pool.map(lambda m: killer(m, tests), to_try)):
+        for mutant, name in zip(to_try, pool.map(lambda m: killer(m, tests, noticed), to_try)):
             killed[mutant.key()] = name
             state = f"killed by {name}" if name else "changes no answer" if mutant.key() in table else "SURVIVES"
             print("\t".join([state, f"{mutant.file}:{mutant.line_number}", mutant.line, mutant.other]), flush=True)
     results.write_text(json.dumps(list(killed.items())))
+    if not options.only:
+        write_noticed(killed, table)
     print_table(killed, table)
+    print_operators(killed, table)
     alive = [key for key, name in killed.items() if name is None and key not in table]
     for key in (wrong := [key for key, name in killed.items() if name is not None and key in table]):
         print(f"{TABLE}: expected a mutant that survives, but {killed[key]} notices it: {key[1]}")

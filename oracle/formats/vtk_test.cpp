@@ -243,7 +243,8 @@ TEST_CASE("vtu: bytes that are not what their lengths promise") {
   CHECK(error_of(xml(longer.replace(head + 4, 4, stored(51, 4, ByteOrder::kLittleEndian)))) ==
         "f:6: expected block 1 of 2, compressed, of 51 bytes, found other data");
   // Two sizes of blocks whose sum is 1, if more than 64 bits are cut off.
-  std::string wrapped = vtu(mesh, {kAppendedRaw, true, ByteOrder::kLittleEndian, 8});
+  std::string wrapped =
+      vtu(mesh, {kAppendedRaw, VtuForm::Packed::kByZlib, ByteOrder::kLittleEndian, 8});
   const std::size_t sizes = wrapped.find("\n_") + 2 + 24;
   wrapped.replace(sizes, 16, std::string(8, '\xff') + stored(2, 8, ByteOrder::kLittleEndian));
   CHECK(error_of(xml(wrapped)) == "f:6: expected compressed blocks, found the end of the data");

@@ -142,6 +142,20 @@ inline void count_the_same(const Verdict& all, const ExactMesh& mesh, const Doma
   }
 }
 
+// A lone vertex in a hole, of the domain and of the mesh, changes nothing.
+inline void hold_with_lone_vertex(const Verdict& verdict, const ExactMesh& mesh, Domain domain) {
+  if (domain.complex.hole_seeds.empty()) return;
+  const Point at = Rational(1, 3) * Point{1, 1} + domain.complex.hole_seeds.front();
+  std::vector<Point> of_domain = domain.complex.points.points(), of_mesh = mesh.points.points();
+  of_domain.push_back(at);
+  of_mesh.push_back(at);
+  domain.complex.points = PointSet(of_domain);
+  const auto with =
+      judge_within(verdict.claim(), with_points(mesh, of_mesh), domain, kSquaredLimit);
+  REQUIRE(with);
+  CHECK(with->holds() == verdict.holds());
+}
+
 // One random case; what came out is counted.
 inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts) {
   Random random(seed);
@@ -192,6 +206,9 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   }
   if (verdict->holds()) ++counts.holds;
   count_the_same(*verdict, mesh, moved.domain, markers);
+  hold_with_lone_vertex(*verdict, mesh, moved.domain);
+  // Every wall of these domains faces the inside.
+  if (!is_sheet && verdict->within) CHECK(verdict->within->not_compared == 0);
   if (fault == Fault::kNone && !has_stray) CHECK_MESSAGE(verdict->holds(), text_of(*verdict));
   // Only a listed triangle may be listed twice.
   const bool must_fail =

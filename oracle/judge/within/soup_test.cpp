@@ -122,7 +122,22 @@ struct Soup {
   Domain domain;
 };
 
+// Two triangles at one edge, whose path leaves it behind them: the triangles between path and edge
+// may be cut either way.
+Soup drawn_book(Random& random) {
+  PiecewiseLinearInput book;
+  book.points = {{0, 0, 0}, {8, 0, 0}, {4, 8, 0}, {4, 6, 8}};
+  book.polygons = {{{{0, 1, 2}}, {}}, {{{0, 1, 3}}, {}}};
+  std::vector<Point> points = book.points;
+  for (const int x : {2, 6})
+    points.push_back({x, noise(random, 2) - bits(4), noise(random, 2) - bits(4)});
+  ExactMesh mesh{PointSet(points), {}};
+  mesh.faces = {{0, 1, 2}, {0, 1, 3}, {0, 4, 5}, {0, 1, 5}, {0, 1, 4}, {1, 4, 5}};
+  return {std::move(mesh), domain_of(book)};
+}
+
 Soup drawn_soup(Random& random, std::size_t dimension) {
+  if (dimension == 3 && below(random, 8) == 0) return drawn_book(random);
   const PiecewiseLinearInput cells = drawn_cells(random, dimension);
   Domain domain = domain_of(cells);
   domain.complex.kind = DomainKind::kEnclosed;
@@ -131,6 +146,33 @@ Soup drawn_soup(Random& random, std::size_t dimension) {
   ExactMesh mesh{PointSet(std::move(points)), {}};
   mesh.faces = drawn_faces(random, domain.complex, mesh.points.size());
   return {std::move(mesh), std::move(domain)};
+}
+
+// How far a vertex is from a cell is how far it is from the nearest simplex of the cell.
+void compare_distances(const Soup& soup, const Rational& squared_limit) {
+  const std::vector<bool> used(soup.mesh.points.size(), true);
+  const Cells cells(soup.domain.complex);
+  Work work;
+  const DomainPieces pieces(cells, work);
+  const std::vector<RoundedPoint> rounded = pieces.rounding().points(soup.mesh.points.points());
+  const Reaches reaches(soup.mesh, rounded, used, cells, pieces, squared_limit, 1);
+  for (Vertex v = 0; soup.mesh.points.names(v); ++v) {
+    const std::vector<ToCell>& near = reaches.of(v);
+    // Of cells at a vertex that is near, see ToCell.
+    if (!near.empty() && near.front().cell.dimension == 0) continue;
+    for (const Cell cell : cells.all()) {
+      std::optional<Rational> least;
+      for (const Simplex& simplex : cells.simplices(cell)) {
+        const Rational squared = squared_distance_to(
+            coordinates(soup.domain.complex.points, simplex), soup.mesh.points[v]);
+        if (!least || squared < *least) least = squared;
+      }
+      const auto found =
+          std::find_if(near.begin(), near.end(), [&](const ToCell& to) { return to.cell == cell; });
+      if (*least <= squared_limit) REQUIRE(found != near.end());
+      if (found != near.end()) CHECK(found->squared() == *least);
+    }
+  }
 }
 
 // The same kinds of answers, reaches and images.
@@ -165,6 +207,7 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
         !is_small_enough_for_definition(soup.mesh, used, cells, limit * limit, 8)) {
       continue;
     }
+    compare_distances(soup, limit * limit);
     compare_searches(soup, limit * limit, seen);
     const auto quick =
         judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit);
