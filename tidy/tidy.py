@@ -108,8 +108,6 @@ LONGEST_FUNCTION = 60  # a screen; a table that a function returns is read row b
 WIDEST_COMMENT = 100
 # What does not keep to these rules yet.
 LONG_FUNCTIONS = ["oracle/judge", "oracle/formats", "fuzz/targets"]
-BANNERS = ["oracle/judge", "oracle/formats"]
-WIDE_COMMENTS = ["oracle"]
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
 CPP = (".hpp", ".cpp", ".h")
 SOURCES = CPP + (".py", ".sh", ".cmake", "CMakeLists.txt")
@@ -123,7 +121,7 @@ COORDINATE = r"\b[A-Za-z_]\w*(?:\.at)?(?:\[(?:[^\[\]\n]|\[\w+\])+\]|\.[xyz]\b)"
 FACTOR = rf"({COORDINATE}|\({COORDINATE}\s-\s{COORDINATE}\))"
 CROSSWISE = re.compile(rf"{FACTOR}\s+\*\s+{FACTOR}(?:\s+[-<>]\s+|\s+==\s+|,\s+){FACTOR}\s+\*\s+{FACTOR}")
 PLACE = re.compile(r"\[(?:[^\[\]]|\[\w+\])+\]|\.[xyz]\b")
-BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?-{3,} .*-{3,}")
+BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?(-{3,} .*-{3,}|─{2,} .*─{2,})")
 COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP, "//")}
 NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
@@ -276,9 +274,9 @@ class Tidy:
     def comments(self, path, text):
         mark = next(mark for ending, mark in COMMENT.items() if path.endswith(ending))
         for number, line in enumerate(text.split("\n"), 1):
-            if BANNER.match(line) and not inside(path, BANNERS):
+            if BANNER.match(line):
                 self.fault(path, number, "banner", "no banner replaces a file: split it by its ideas, or leave the banner out")
-            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark + " ") and not inside(path, WIDE_COMMENTS):
+            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark + " "):
                 self.fault(path, number, "comment", f"end the line of a comment at {WIDEST_COMMENT} columns")
 
     def functions(self, path, code):

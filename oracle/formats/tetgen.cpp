@@ -112,8 +112,6 @@ void write_node(std::ostream& out, const PointFile& file) {
   }
 }
 
-// ---- .ele ----
-
 namespace {
 
 struct EleHeader {
@@ -183,8 +181,6 @@ void write_ele(std::ostream& out, const SimplexFile& file) {
              " 0\n";
   write_numbered(out, file.first_index, file.simplices.lists());
 }
-
-// ---- .face and .edge ----
 
 namespace {
 
@@ -259,8 +255,6 @@ void write_face(std::ostream& out, const SimplexFile& file) {
   out << std::to_string(file.simplices.size()) + " 0\n";
   write_numbered(out, file.first_index, file.simplices.lists());
 }
-
-// ---- .neigh ----
 
 namespace {
 

@@ -65,8 +65,6 @@ inline ExactMesh shaken_grid(std::size_t dimension, std::size_t side, bool weigh
   return {PointSet(std::move(points), std::move(weights)), std::move(simplices)};
 }
 
-// ---- Judge ----
-
 namespace {
 
 const PointSet kSquare({{0, 0}, {1, 0}, {0, 1}, {1, 1}});

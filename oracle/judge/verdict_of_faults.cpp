@@ -98,8 +98,6 @@ template std::vector<SharedFacet> shared_facets(const fast::MeshView<3, std::int
 template std::vector<SharedFacet> shared_facets(const fast::MeshView<3, std::int64_t>&,
                                                 std::span<const fast::FacetId>);
 
-// ---- Verdict of facts ----
-
 namespace {
 
 template <std::size_t kDimension, typename Index>
@@ -151,8 +149,6 @@ template Verdict verdict_of_facts(Claim, const fast::MeshView<3, std::int32_t>&,
                                   const Options&);
 template Verdict verdict_of_facts(Claim, const fast::MeshView<3, std::int64_t>&, const fast::Facts&,
                                   const Options&);
-
-// ---- Verdict of faults ----
 
 namespace {
 

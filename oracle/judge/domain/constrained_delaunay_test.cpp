@@ -8,8 +8,6 @@
 
 namespace circumspect::check {
 
-// ---- Constrained Delaunay ----
-
 namespace {
 
 std::set<Rule> by_definition(Claim claim, const ExactMesh& mesh, const Domain& domain) {
@@ -204,7 +202,6 @@ TEST_CASE("conforming Delaunay: a grid is, and polygons are not exempt") {
         std::set{Rule::kVertexInBall});
 }
 
-// ---- Planar domain ----
 // Domains in the plane: segments are the walls.
 
 PiecewiseLinearInput square(int low, int high) { return cuboid({low, low}, {high, high}); }

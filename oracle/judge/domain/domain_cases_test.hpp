@@ -22,7 +22,6 @@
 
 namespace circumspect::check {
 
-// ---- Verdict text ----
 // All that a verdict says, as text, so that two can be compared in a test. What people read is made
 // of the same.
 
@@ -91,7 +90,6 @@ inline std::string text_of(const Verdict& verdict) {
   return out.str();
 }
 
-// ---- Exact facts ----
 // What is known of the simplices of a mesh, by exact numbers and by looking at everything: what a
 // faster judge has to find, for tests.
 
@@ -142,8 +140,6 @@ inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMes
       });
   return known;
 }
-
-// ---- Domain cases ----
 
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
 

@@ -139,8 +139,6 @@ TEST_CASE("triangles that all share a vertex are too many to hold against each o
   CHECK(are_surely_a_complex(fan));
 }
 
-// ---- Meshes that hold ----
-
 // The domain whose polygons are some facets of a mesh.
 Domain domain_of_facets(const ExactMesh& mesh, const std::function<bool(std::size_t)>& takes) {
   PiecewiseLinearInput input;

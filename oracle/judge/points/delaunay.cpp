@@ -75,8 +75,6 @@ void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
   definition::add_in_ball(mesh.points, rule, simplex, facet, q, verdict);
 }
 
-// ---- Delaunay ----
-
 namespace {
 
 // Let W be a simplex and q, strictly below its witness plane, and let only vertex v of the simplex
@@ -136,8 +134,6 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
     ambiguity.see(mesh.points, mesh.simplices[shared.simplex], apex, side);
   });
 }
-
-// ---- Submerged points ----
 
 namespace {
 

@@ -14,7 +14,6 @@
 
 namespace circumspect::check {
 
-// ---- Ball witness ----
 // The witness that a point lies strictly inside a circumball (weighted: that its lifted companion
 // lies strictly below a witness plane).
 
@@ -23,7 +22,6 @@ namespace circumspect::check {
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
 
-// ---- Ambiguity ----
 // What empty balls imply about other Delaunay triangulations of the same points.
 
 // A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is not a
@@ -47,8 +45,6 @@ struct Ambiguity {
     verdict.canonical = canonical;
   }
 };
-
-// ---- Delaunay ----
 
 // A facet of two simplices of a list.
 struct SharedFacet {
@@ -74,7 +70,6 @@ int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& share
 void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity);
 
-// ---- Submerged points ----
 // The points of a weighted set that are not vertices: are they submerged? Book: Section 2.8 by way
 // of Section 5.2 (weighted Delaunay triangulations).
 

@@ -13,7 +13,6 @@
 
 namespace circumspect::check {
 
-// ---- Delaunay ----
 // Whether a triangulation is Delaunay: the two rules, their witnesses and margins, and the facts
 // `unique` and `canonical`.
 
@@ -208,7 +207,6 @@ TEST_CASE("facets that somebody found not to be locally Delaunay are asked again
   CHECK_THROWS_AS(not_locally_delaunay(Claim::kDelaunay, mesh, {below, good}), std::logic_error);
 }
 
-// ---- Weighted Delaunay ----
 // The claim weighted-delaunay: each of its rules broken alone, by the smallest mesh.
 // Book: Sections 4.1 and 5.2.
 
