@@ -41,9 +41,9 @@ ARROWS = {
     "oracle/judge/surface": ["oracle/judge/complex"],
     "oracle/judge/voronoi": ["oracle/judge/definition"],
     "oracle/judge/conditions": [],
-    "oracle/judge/points": ["oracle/judge/convex_hull", "oracle/judge/surface", "oracle/judge/voronoi",
-                            "oracle/judge/conditions"],
-    "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/fast"],
+    "oracle/judge/points": ["oracle/judge/definition", "oracle/judge/conditions"],
+    "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/convex_hull", "oracle/judge/surface",
+                            "oracle/judge/voronoi", "oracle/judge/fast"],
     "oracle/judge/within": ["oracle/judge/domain", "oracle/domain"],
     "oracle/judge/fast/predicates": ["kernel/exact"],
     "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes", "oracle/judge/conditions"],
@@ -85,7 +85,8 @@ ARROWS = {
 CONSTRUCTIONS = "reference/constructions.hpp"
 BY_CONSTRUCTIONS = ["oracle", "c", "python", "include", "fuzz/harness"]
 # What a test beside its layer may include on top of what the layer may.
-TESTS_ALSO = ["inputs", "properties/arguments"]
+TESTS_ALSO = ["inputs", "properties/arguments",
+              "oracle/judge/domain"]  # its judge_exactly, which holds the lemmas to the definitions
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
 APART = ["corpus/make", "examples", "fuzz/adapters", "hunt"]

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
@@ -298,10 +297,9 @@ class Retold {
     facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
     std::vector<BoundaryFacet> boundary;
     std::vector<Simplex> vertices_of_facets;
-    for (FacetUse& use : uses_of(facets)) {
+    for (const FacetUse& use : uses_of(facets)) {
       vertices_of_facets.push_back(use.facet);
-      boundary.push_back(
-          {std::move(use.facet), mesh_.simplices[use.simplex][use.opposite], use.simplex});
+      boundary.push_back(boundary_facet(mesh_, use));
     }
     std::vector<FacetUse> ridges = facet_uses(vertices_of_facets);
     std::erase_if(ridges, [&](const FacetUse& use) { return !faulty.contains(use.facet); });

@@ -16,6 +16,7 @@
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 #include "oracle/model/verdict.hpp"
@@ -155,13 +156,13 @@ inline std::set<Rule> broken(Claim claim, const ExactMesh& mesh, const Domain& d
                              By by = By::kLemma) {
   std::set<Rule> rules;
   const Verdict verdict = by == By::kLemma ? verdict_by_lemma(claim, mesh, domain)
-                                           : judge_domain(claim, mesh, domain, {.by = by});
+                                           : judge_exactly(claim, mesh, &domain, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
   return rules;
 }
 
 inline bool holds(Claim claim, const ExactMesh& mesh, const Domain& domain, By by) {
-  return judge_domain(claim, mesh, domain, {.by = by}).holds();
+  return judge_exactly(claim, mesh, &domain, {.by = by}).holds();
 }
 
 // The rules broken by lemma, where by definition the claim fails too.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
-#include "kernel/predicates/perturbation.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
@@ -32,11 +31,7 @@ struct Ambiguity {
   bool canonical = true;
 
   // `side` is in_ball of the simplex and q.
-  void see(const PointSet& points, const Simplex& simplex, Vertex q, int side) {
-    if (side != 0) return;
-    unique = false;
-    if (canonical) canonical = perturbed_in_ball(points.configuration(), simplex, q) < 0;
-  }
+  void see(const PointSet& points, const Simplex& simplex, Vertex q, int side);
 
   // Reports the facts if the claim holds.
   void conclude(Verdict& verdict) const {
