@@ -5,6 +5,7 @@
 #include "corpus/expected_table.hpp"
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
 #include "oracle/report/text.hpp"
@@ -77,7 +78,7 @@ TEST_CASE("each verdict in the plane and in space has a certificate or a refutat
     INFO(row.text);
     const ExactMesh mesh = mesh_of(row);
     if (!has_certificate(mesh) || mesh.simplices.size() > kManySimplices) continue;
-    const Verdict verdict = check::judge_points(row.claim, mesh, row.options);
+    const Verdict verdict = check::judge_exactly(row.claim, mesh, nullptr, row.options);
     if (is_about_options(row.broken)) {
       CHECK(!certificate::document_of(mesh, verdict));
       continue;
@@ -117,7 +118,7 @@ TEST_CASE("what is known of the simplices changes no word about a mesh of a doma
     options.max_violations = 0;
     for (const bool oriented : {false, true}) {
       options.oriented = oriented;
-      const Verdict slow = check::judge_domain(row.claim, exact_mesh, domain, options);
+      const Verdict slow = check::judge_exactly(row.claim, exact_mesh, &domain, options);
       const Verdict quick = check::judge(row.claim, mesh, &domain, options).value();
       CHECK(check::text_of(quick) == check::text_of(slow));
       CHECK(report::verdict_line(quick, mesh, row.mesh, &domain) ==

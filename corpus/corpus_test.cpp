@@ -11,6 +11,7 @@
 #include "corpus/voronoi_table.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -53,7 +54,7 @@ TEST_CASE("each mesh breaks exactly the rules that expected.tsv names, by lemma 
     const Verdict verdict =
         is_of_a_mesh_alone(row)
             ? check::judge(row.claim, read_mesh_of(row), nullptr, row.options).value()
-            : check::judge_points(row.claim, mesh_of(row), row.options);
+            : check::judge_exactly(row.claim, mesh_of(row), nullptr, row.options);
     CHECK(broken_rules(verdict) == row.broken);
   }
 }
@@ -167,7 +168,7 @@ bool compare(formats::MeshRequest request, Claim claim, const check::Options& op
   const Mesh& mesh = file->mesh;
   const auto verdict = check::judge(claim, mesh, nullptr, options);
   if (!verdict) return false;
-  const Verdict slow = check::judge_points(claim, exact(mesh), options);
+  const Verdict slow = check::judge_exactly(claim, exact(mesh), nullptr, options);
   CHECK(text_of(*verdict, mesh) == text_of(slow, mesh));
   if (verdict->course.fast) return true;
   const bool are_doubles = std::holds_alternative<Rows<double>>(mesh.coordinates) &&

@@ -13,6 +13,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 
 namespace circumspect::corpus {
@@ -99,7 +100,7 @@ inline ExactMesh mesh_with_faces(const std::string& path) {
 inline Verdict judge(const DomainRow& row) {
   const ExactMesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
   const Domain domain = domain_of(kDomainFolder + row.domain, row.kind);
-  if (!row.within) return check::judge_domain(row.claim, mesh, domain, row.options);
+  if (!row.within) return check::judge_exactly(row.claim, mesh, &domain, row.options);
   const Rational squared = *row.within * *row.within;
   auto verdict = check::judge_within(row.claim, mesh, domain, squared, row.options);
   if (!verdict) throw std::runtime_error(verdict.error().reason);

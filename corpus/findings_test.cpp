@@ -10,6 +10,7 @@
 #include "corpus/domain_table.hpp"
 #include "inputs/cases.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 
 namespace circumspect::corpus {
 namespace {
@@ -69,7 +70,8 @@ std::string rule_of_points(const FindingRow& row) {
   const std::vector<Simplex> simplices = raw->mesh.simplices.lists();
   const ExactMesh mesh =
       arrays::exact_mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
-  return first_rule(check::judge_points(*claim_about_points(row), mesh, {.max_violations = 1}));
+  return first_rule(
+      check::judge_exactly(*claim_about_points(row), mesh, nullptr, {.max_violations = 1}));
 }
 
 std::string rule_of_domain(const FindingRow& row) {

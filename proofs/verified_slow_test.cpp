@@ -11,6 +11,7 @@
 
 #include "corpus/expected_table.hpp"
 #include "oracle/certificate/document.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"
@@ -84,7 +85,7 @@ TEST_CASE("each verdict of the corpus in the plane and in space is verified") {
     INFO(row.text);
     const ExactMesh mesh = corpus::mesh_of(row);
     if (!spans_plane_or_space(mesh.points)) continue;
-    const Verdict verdict = check::judge_points(row.claim, mesh, row.options);
+    const Verdict verdict = check::judge_exactly(row.claim, mesh, nullptr, row.options);
     CHECK(verdict.holds() == row.broken.empty());
     const Answer answer = answer_of(mesh, verdict);
     CHECK_MESSAGE(answer.is_right(), answer.expected << " found " << answer.found);

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/in_doubles.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/catalogue_verdicts.hpp"
@@ -64,10 +65,10 @@ TEST_CASE("mutations of small meshes are seen through, with the rules that the c
         RC_ASSERT(fault_of_fast(mutation, said_fast(mesh, claim)) == "");
         const Mesh merged = mesh_of(mesh, claim);
         const ExactMesh exact_mesh = exact(merged);
-        const Verdict slow = check::judge_points(claim, exact_mesh);
+        const Verdict slow = check::judge_exactly(claim, exact_mesh);
         RC_ASSERT(fault_of(mutation, judge(claim, mesh, 2), slow, merged) == "");
-        RC_ASSERT(check::judge_points(claim, exact_mesh, {.by = check::By::kDefinition}).holds() ==
-                  slow.holds());
+        RC_ASSERT(check::judge_exactly(claim, exact_mesh, nullptr, {.by = check::By::kDefinition})
+                      .holds() == slow.holds());
         ++applied[mutation.name];
       }));
     }

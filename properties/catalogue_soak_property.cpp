@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/adapters/adapters.hpp"
 #include "properties/catalogue_verdicts.hpp"
 
@@ -96,7 +97,7 @@ std::string named_rule(const Mutation& mutation, ArrayMesh mutant) {
   }
   const Claim claim = claim_of(mutant);
   const Mesh merged = mesh_of(mutant, claim);
-  const Verdict slow = check::judge_points(claim, exact(merged));
+  const Verdict slow = check::judge_exactly(claim, exact(merged));
   std::string rule;
   for (unsigned threads = 1; threads <= 4; ++threads) {
     CAPTURE(threads);

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"
@@ -27,7 +27,8 @@ PointSet spanning_set(std::size_t d, std::size_t max_points, bool weighted) {
 // Is the verdict proved? Counts both kinds.
 void prove(Claim claim, const ExactMesh& mesh, check::By by, std::size_t& held,
            std::size_t& failed) {
-  const Verdict verdict = check::judge_points(claim, mesh, {.by = by, .max_violations = 5});
+  const Verdict verdict =
+      check::judge_exactly(claim, mesh, nullptr, {.by = by, .max_violations = 5});
   RC_ASSERT(certificate::fault_of(mesh, verdict) == "");
   ++(verdict.holds() ? held : failed);
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
@@ -23,7 +24,7 @@ PointSet breakable_set(std::size_t d, std::size_t max_points) {
 }
 
 bool holds_by(check::By by, Claim claim, const ExactMesh& mesh) {
-  return check::judge_points(claim, mesh, {.by = by}).holds();
+  return check::judge_exactly(claim, mesh, nullptr, {.by = by}).holds();
 }
 
 // The common answer of both ways.
@@ -74,8 +75,9 @@ TEST_CASE("lemma and definition report the same uniqueness and canonicity") {
       const PointSet points = breakable_set(d, 10);
       const Mutant mutant = *alteration(delaunay::bowyer_watson(points).simplices(), points.size());
       const ExactMesh mesh{points, mutant.simplices};
-      const Verdict by_lemma = check::delaunay(mesh, {.by = check::By::kLemma});
-      const Verdict by_definition = check::delaunay(mesh, {.by = check::By::kDefinition});
+      const Verdict by_lemma = check::judge_points(Claim::kDelaunay, mesh);
+      const Verdict by_definition =
+          check::judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = check::By::kDefinition});
       RC_ASSERT(by_lemma.unique == by_definition.unique);
       RC_ASSERT(by_lemma.canonical == by_definition.canonical);
       not_canonical += by_lemma.canonical == false ? 1u : 0u;

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/point_set.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
@@ -23,7 +23,7 @@ using generators::PointsCase;
 void assert_accepted(const PointSet& points, const Triangulation& triangulation) {
   const ExactMesh mesh{points, triangulation.simplices()};
   for (const check::By by : {check::By::kLemma, check::By::kDefinition}) {
-    const Verdict verdict = check::delaunay(mesh, {.by = by});
+    const Verdict verdict = check::judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = by});
     RC_ASSERT(verdict.holds());
     RC_ASSERT(verdict.canonical == true);
   }

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/piecewise_linear/validity.hpp"
-#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "properties/arguments/complexes.hpp"
@@ -40,13 +40,13 @@ std::map<Claim, bool> judged(const ExactMesh& mesh, const PiecewiseLinearComplex
   const Domain domain{complex};
   std::map<Claim, bool> answers;
   for (const Claim claim : kClaims) {
-    const Verdict verdict = check::judge_domain(claim, mesh, domain, {.by = check::By::kLemma});
+    const Verdict verdict = check::judge_exactly(claim, mesh, &domain, {.by = check::By::kLemma});
     const Verdict quick = check::judge(claim, in_rows(mesh), &domain, {.threads = 1}).value();
     RC_ASSERT(check::text_of(quick, mesh) == check::text_of(verdict, mesh));
     known += quick.course.fast ? 1U : 0U;
     const bool by_lemma = verdict.holds();
     const bool by_definition =
-        check::judge_domain(claim, mesh, domain, {.by = check::By::kDefinition}).holds();
+        check::judge_exactly(claim, mesh, &domain, {.by = check::By::kDefinition}).holds();
     RC_LOG() << name(claim) << " by lemma: " << by_lemma << ", by definition: " << by_definition
              << "\n";
     RC_ASSERT(by_lemma == by_definition);

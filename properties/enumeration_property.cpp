@@ -38,7 +38,7 @@ std::vector<Triangulation> all_by_definition(const PointSet& points) {
     for (std::size_t i = 0; i < simplices.size(); ++i) {
       if ((chosen >> i) % 2 == 1) some.push_back(simplices[i]);
     }
-    if (check::triangulation({points, some}, {.by = check::By::kLemma}).holds()) {
+    if (check::judge_points(Claim::kTriangulation, {points, some}).holds()) {
       all.emplace_back(points.dimension(), std::move(some));
     }
   }
@@ -70,7 +70,7 @@ TEST_CASE("every triangulation that the exhaustive search finds is one") {
       const std::vector<Triangulation> all = all_triangulations(points);
       RC_ASSERT(std::adjacent_find(all.begin(), all.end()) == all.end());
       for (const Triangulation& one : all) {
-        RC_ASSERT(check::triangulation({points, one.simplices()}).holds());
+        RC_ASSERT(check::judge_points(Claim::kTriangulation, {points, one.simplices()}).holds());
       }
     }));
   }

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"
@@ -132,7 +133,9 @@ void assert_blocked_facets(const PointSet& points, const FlippedTriangulation& r
 
 void assert_is_delaunay(const PointSet& points, const Triangulation& triangulation) {
   for (const check::By by : {check::By::kLemma, check::By::kDefinition}) {
-    RC_ASSERT(check::delaunay({points, triangulation.simplices()}, {.by = by}).holds());
+    RC_ASSERT(check::judge_exactly(Claim::kDelaunay, {points, triangulation.simplices()}, nullptr,
+                                   {.by = by})
+                  .holds());
   }
 }
 
@@ -171,7 +174,9 @@ TEST_CASE("D7 from any triangulation the flip algorithm ends at the canonical on
         assert_blocked_facets(points, result, test);
         RC_ASSERT(Integer(result.run.flips) <= delaunay::most_flips(points.size(), k));
         if (!points.is_weighted()) {
-          RC_ASSERT(check::triangulation({points, result.triangulation.simplices()}).holds());
+          RC_ASSERT(
+              check::judge_points(Claim::kTriangulation, {points, result.triangulation.simplices()})
+                  .holds());
         }
         if (result.run.is_stuck()) continue;
         if (test == FlipTest::kPerturbed) {
@@ -195,7 +200,7 @@ TEST_CASE("D7 the flip algorithm is stuck at once at the corpus's stuck triangul
     const PointSet& points = mesh.points;
     const Triangulation start(points.dimension(), mesh.simplices);
     CHECK(points.is_weighted() == (points.dimension() == 2));
-    CHECK(check::triangulation({points, start.simplices()}).holds());
+    CHECK(check::judge_points(Claim::kTriangulation, {points, start.simplices()}).holds());
     for (const FlipTest test : {FlipTest::kPerturbed, FlipTest::kUnperturbed}) {
       const FlippedTriangulation result = delaunay::flip_algorithm(points, start, test);
       CHECK(result.run.flips == 0);

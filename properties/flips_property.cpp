@@ -9,6 +9,7 @@
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
 #include "kernel/predicates/place.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"
@@ -42,8 +43,9 @@ bool is_triangulation_of_some(const PointSet& points, const Simplices& simplices
   for (Simplex& simplex : mesh.simplices) {
     for (Vertex& v : simplex) v = new_index[static_cast<std::size_t>(v)];
   }
-  return check::triangulation(mesh).holds() &&
-         check::triangulation(mesh, {.by = check::By::kDefinition}).holds();
+  return check::judge_points(Claim::kTriangulation, mesh).holds() &&
+         check::judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = check::By::kDefinition})
+             .holds();
 }
 
 // All triangulations of k+2 points that span k dimensions, by looking at all sets of simplices.
@@ -143,8 +145,10 @@ rc::Gen<TriangulationCase> random_triangulations(std::size_t d) {
 void assert_triangulation(const PointSet& points, const StarIndex& triangulation) {
   const ExactMesh mesh{points,
                        {triangulation.simplices().begin(), triangulation.simplices().end()}};
-  RC_ASSERT(check::triangulation(mesh).holds());
-  RC_ASSERT(check::triangulation(mesh, {.by = check::By::kDefinition}).holds());
+  RC_ASSERT(check::judge_points(Claim::kTriangulation, mesh).holds());
+  RC_ASSERT(
+      check::judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = check::By::kDefinition})
+          .holds());
 }
 
 TEST_CASE("D7 after any random flips the mesh is still a triangulation") {

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/point_set.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
@@ -31,9 +32,11 @@ TEST_CASE("the lexicographic triangulation is a triangulation (Sections 2.1, 4.1
       const PointSet points = any_set(d, d == 4 ? 8 : 11);
       const Triangulation triangulation = delaunay::lexicographic(points);
       const ExactMesh mesh{points, triangulation.simplices()};
-      RC_ASSERT(check::triangulation(mesh, {.by = check::By::kLemma}).holds());
-      RC_ASSERT(check::triangulation(mesh, {.by = check::By::kDefinition}).holds());
-      not_delaunay += check::delaunay(mesh).holds() ? 0u : 1u;
+      RC_ASSERT(check::judge_points(Claim::kTriangulation, mesh).holds());
+      RC_ASSERT(
+          check::judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = check::By::kDefinition})
+              .holds());
+      not_delaunay += check::judge_points(Claim::kDelaunay, mesh).holds() ? 0u : 1u;
     }));
     if (d == 1) CHECK(not_delaunay == 0);
     if (d > 1) CHECK(occurs(not_delaunay));

@@ -7,7 +7,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/in_ball.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/genericity.hpp"
@@ -272,7 +272,9 @@ TEST_CASE("D1 both checkers accept exactly the Delaunay ones of all triangulatio
       for (const Triangulation& one : all_triangulations(points)) {
         const bool expected = every_simplex_is_delaunay(points, one);
         for (const check::By by : {check::By::kLemma, check::By::kDefinition}) {
-          RC_ASSERT(check::delaunay({points, one.simplices()}, {.by = by}).holds() == expected);
+          RC_ASSERT(
+              check::judge_exactly(Claim::kDelaunay, {points, one.simplices()}, nullptr, {.by = by})
+                  .holds() == expected);
         }
       }
     }));

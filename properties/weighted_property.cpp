@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
@@ -22,8 +23,9 @@ PointSet weighted_set(std::size_t d, std::size_t max_points) {
 
 // The common answer by lemma and by definition.
 Verdict judged(const ExactMesh& mesh) {
-  const Verdict by_lemma = check::weighted_delaunay(mesh, {.by = check::By::kLemma});
-  const Verdict by_definition = check::weighted_delaunay(mesh, {.by = check::By::kDefinition});
+  const Verdict by_lemma = check::judge_points(Claim::kWeightedDelaunay, mesh);
+  const Verdict by_definition =
+      check::judge_exactly(Claim::kWeightedDelaunay, mesh, nullptr, {.by = check::By::kDefinition});
   RC_ASSERT(by_lemma.holds() == by_definition.holds());
   RC_ASSERT(by_lemma.unique == by_definition.unique);
   RC_ASSERT(by_lemma.canonical == by_definition.canonical);
@@ -40,7 +42,7 @@ TEST_CASE("D10 the weighted Delaunay triangulation is accepted, as the canonical
       const Verdict verdict = judged(mesh);
       RC_ASSERT(verdict.holds());
       RC_ASSERT(verdict.canonical == true);
-      with_submerged_points += check::triangulation(mesh).holds() ? 0u : 1u;
+      with_submerged_points += check::judge_points(Claim::kTriangulation, mesh).holds() ? 0u : 1u;
     }));
     CHECK(occurs(with_submerged_points));
   }

@@ -41,10 +41,10 @@ ARROWS = {
     "oracle/judge/surface": ["oracle/judge/complex"],
     "oracle/judge/voronoi": ["oracle/judge/definition"],
     "oracle/judge/conditions": [],
-    "oracle/judge/points": ["oracle/judge/convex_hull", "oracle/judge/surface", "oracle/judge/voronoi",
-                            "oracle/judge/conditions"],
+    "oracle/judge/points": ["oracle/judge/definition", "oracle/judge/conditions"],
     "oracle/judge/periodic": ["oracle/judge/points"],
-    "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/fast"],
+    "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/convex_hull", "oracle/judge/surface",
+                            "oracle/judge/voronoi", "oracle/judge/fast"],
     "oracle/judge/within": ["oracle/judge/domain", "oracle/domain"],
     "oracle/judge/fast/predicates": ["kernel/exact"],
     "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes", "oracle/judge/conditions"],
@@ -86,7 +86,8 @@ ARROWS = {
 CONSTRUCTIONS = "reference/constructions.hpp"
 BY_CONSTRUCTIONS = ["oracle", "c", "python", "include", "fuzz/harness"]
 # What a test beside its layer may include on top of what the layer may.
-TESTS_ALSO = ["inputs", "properties/arguments"]
+TESTS_ALSO = ["inputs", "properties/arguments",
+              "oracle/judge/domain"]  # its judge_exactly, which holds the lemmas to the definitions
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
 APART = ["corpus/make", "examples", "fuzz/adapters", "hunt"]
@@ -110,8 +111,6 @@ LONGEST_FUNCTION = 60  # a screen; a table that a function returns is read row b
 WIDEST_COMMENT = 100
 # What does not keep to these rules yet.
 LONG_FUNCTIONS = ["oracle/judge", "oracle/formats", "fuzz/targets"]
-BANNERS = ["oracle/judge", "oracle/formats"]
-WIDE_COMMENTS = ["oracle"]
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
 CPP = (".hpp", ".cpp", ".h")
 SOURCES = CPP + (".py", ".sh", ".cmake", "CMakeLists.txt")
@@ -125,7 +124,7 @@ COORDINATE = r"\b[A-Za-z_]\w*(?:\.at)?(?:\[(?:[^\[\]\n]|\[\w+\])+\]|\.[xyz]\b)"
 FACTOR = rf"({COORDINATE}|\({COORDINATE}\s-\s{COORDINATE}\))"
 CROSSWISE = re.compile(rf"{FACTOR}\s+\*\s+{FACTOR}(?:\s+[-<>]\s+|\s+==\s+|,\s+){FACTOR}\s+\*\s+{FACTOR}")
 PLACE = re.compile(r"\[(?:[^\[\]]|\[\w+\])+\]|\.[xyz]\b")
-BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?-{3,} .*-{3,}")
+BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?(-{3,} .*-{3,}|─{2,} .*─{2,})")
 COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP, "//")}
 NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
@@ -278,9 +277,9 @@ class Tidy:
     def comments(self, path, text):
         mark = next(mark for ending, mark in COMMENT.items() if path.endswith(ending))
         for number, line in enumerate(text.split("\n"), 1):
-            if BANNER.match(line) and not inside(path, BANNERS):
+            if BANNER.match(line):
                 self.fault(path, number, "banner", "no banner replaces a file: split it by its ideas, or leave the banner out")
-            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark + " ") and not inside(path, WIDE_COMMENTS):
+            if len(line) > WIDEST_COMMENT and line.lstrip().startswith(mark + " "):
                 self.fault(path, number, "comment", f"end the line of a comment at {WIDEST_COMMENT} columns")
 
     def functions(self, path, code):

@@ -8,7 +8,7 @@
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
-#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"
@@ -202,7 +202,7 @@ class Remedies {
   bool merged() {
     if (!joined_ || judged_.within) return false;
     const Verdict merged =
-        check::judge_domain(judged_.claim, mesh_.exact, joined_->domain, options_, mesh_.known());
+        check::judge_exactly(judged_.claim, mesh_.exact, &joined_->domain, options_, mesh_.known());
     return mends_segments(merged) && keep(merged, merging_note(verdict_, merged));
   }
 

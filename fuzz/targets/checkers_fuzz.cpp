@@ -2,6 +2,7 @@
 // Definitions 2.1 and 4.1, Lemma 4.1. Input: a byte with dimension and weights, nine that break the
 // mesh in up to three ways, then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
@@ -24,8 +25,9 @@ void hold_checkers_equal(Bytes bytes) {
     alter(mesh.simplices, mesh.points.size(), Bytes(input.head).subspan(i, 3));
   }
   for (const Claim claim : {Claim::kTriangulation, delaunay}) {
-    const Verdict lemma = check::judge_points(claim, mesh, {.by = check::By::kLemma});
-    const Verdict definition = check::judge_points(claim, mesh, {.by = check::By::kDefinition});
+    const Verdict lemma = check::judge_points(claim, mesh);
+    const Verdict definition =
+        check::judge_exactly(claim, mesh, nullptr, {.by = check::By::kDefinition});
     if (lemma.holds() != definition.holds()) {
       fail(std::string(name(claim)) + ": lemma and definition differ", input.points,
            mesh.simplices);

@@ -5,6 +5,7 @@
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 
@@ -68,7 +69,7 @@ void hold_checkers_equal(Bytes bytes) {
   for (const Claim claim : {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
                             Claim::kSteinerCdt, Claim::kConformingDelaunay}) {
     const auto holds_by = [&](check::By by) {
-      return check::judge_domain(claim, mesh, domain, {.by = by}).holds();
+      return check::judge_exactly(claim, mesh, &domain, {.by = by}).holds();
     };
     if (holds_by(check::By::kLemma) != holds_by(check::By::kDefinition)) {
       fail(std::string(name(claim)) + ": lemma and definition differ", input.points,

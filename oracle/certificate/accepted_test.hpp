@@ -1,5 +1,5 @@
-// For tests: checks that refutations have the evidence that each rule requires, and that certificates fulfil their
-// conditions.
+// For tests: checks that refutations have the evidence that each rule requires, and that
+// certificates fulfil their conditions.
 #pragma once
 
 #include <algorithm>

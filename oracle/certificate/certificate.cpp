@@ -199,8 +199,8 @@ void find_incidences(Certificate& certificate) {
   }
 }
 
-// The barycentre of the first simplex is in the interior of what the mesh covers, so on the inner side
-// of all hull facets, and in no other simplex (docs/theory/points.md).
+// The barycentre of the first simplex is in the interior of what the mesh covers, so on the inner
+// side of all hull facets, and in no other simplex (docs/theory/points.md).
 void choose_sample(Certificate& certificate) {
   const std::size_t size = certificate.points.dimension + 1;
   const std::array<Vertex, 4>& first = certificate.simplices.front().vertices;

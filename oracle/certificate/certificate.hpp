@@ -1,5 +1,5 @@
-// Proof that a mesh is a triangulation, Delaunay or not: the mesh, and all that a proved checker needs to see
-// this in linear time. proofs/CERTIFICATE.md has the conditions that it has to fulfil.
+// Proof that a mesh is a triangulation, Delaunay or not: the mesh, and all that a proved checker
+// needs to see this in linear time. proofs/CERTIFICATE.md has the conditions that it has to fulfil.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ Lines& operator<<(Lines& lines, Number number) {
   return lines << std::string_view(std::to_string(number));
 }
 
-// A claim, its dimension and what else is said of it, after the first words of a file, `kind` and its
-// version.
+// A claim, its dimension and what else is said of it, after the first words of a file, `kind` and
+// its version.
 void write_first_line(Lines& lines, std::string_view kind, Claim claim, std::size_t dimension,
                       std::string_view more = "");
 
@@ -91,7 +91,8 @@ void for_each_face(std::vector<FaceUse>& uses, const auto& visit) {
   }
 }
 
-// What lies across a facet or a ridge, and the place of its vertex that the facet or ridge leaves out.
+// What lies across a facet or a ridge, and the place of its vertex that the facet or ridge leaves
+// out.
 // A facet of the hull has a hull facet there, which leaves out no vertex.
 struct Across {
   std::uint32_t cell = 0;
@@ -131,18 +132,18 @@ struct Certificate {
   std::vector<CertifiedSimplex> simplices = {};
   std::vector<HullFacet> hull = {};
   HomogeneousPoint sample = {};  // in the interior of the first simplex
-  // Besides the claim: `unique` if it is the only such triangulation of the points, `canonical` if it is
-  // the canonical one; or nothing.
+  // Besides the claim: `unique` if it is the only such triangulation of the points, `canonical` if
+  // it is the canonical one; or nothing.
   std::string_view standing = {};
 };
 
 // Linear in the mesh but for sorting, and for what it takes to find weighted points that are no
-// vertices. Requires: the claim holds of the mesh; its points have dimension 2 or 3, and that is the
-// dimension of their affine hull.
+// vertices. Requires: the claim holds of the mesh; its points have dimension 2 or 3, and that is
+// the dimension of their affine hull.
 Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points);
 
-// From the scale to the sample point; proofs/CERTIFICATE.md lays it out. The mesh says by which index its
-// user knows a point.
+// From the scale to the sample point; proofs/CERTIFICATE.md lays it out. The mesh says by which
+// index its user knows a point.
 // The last points, so many, have no label.
 void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
                 std::size_t helpers = 0);

@@ -1,5 +1,5 @@
-// For tests: reads certificates and refutations, and checks them by proofs/CERTIFICATE.md. It shares no code with
-// the writers: it uses plain rational arithmetic and barycentric coordinates.
+// For tests: reads certificates and refutations, and checks them by proofs/CERTIFICATE.md. It
+// shares no code with the writers: it uses plain rational arithmetic and barycentric coordinates.
 #pragma once
 
 #include <algorithm>

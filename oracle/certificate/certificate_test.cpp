@@ -5,14 +5,14 @@
 
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/certificate/document.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 
 namespace circumspect::certificate {
 namespace {
 
 // Requires: the claim holds.
 std::string certificate_text(const ExactMesh& mesh, Claim claim = Claim::kDelaunay) {
-  const Verdict verdict = check::judge_points(claim, mesh);
+  const Verdict verdict = check::judge_exactly(claim, mesh);
   REQUIRE(verdict.holds());
   const std::string text = text_of(mesh, *document_of(mesh, verdict));
   CHECK(fault_of(mesh, verdict, text) == "");

@@ -196,8 +196,8 @@ std::optional<Parting> Partings::between(std::size_t s, std::size_t t) const {
   for (const Hyperplane& plane : own_planes_[t]) {
     if (parts(plane, a, b)) return std::nullopt;
   }
-  // The hyperplanes that do not cross the two make a cone, whose extreme rays go through d points: the sum of these is in
-  // no face of it (docs/theory/complex.md).
+  // The hyperplanes that do not cross the two make a cone, whose extreme rays go through d points:
+  // the sum of these is in no face of it (docs/theory/complex.md).
   const std::size_t d = points_.dimension;
   const std::vector<Vector> all = completed(a, b);
   Hyperplane sum{Vector(d, 0), 0};
@@ -224,7 +224,8 @@ std::optional<Parting> Partings::between(std::size_t s, std::size_t t) const {
   return Parting{t, std::move(sum.normal), std::move(sum.offset)};
 }
 
-// Halves those from `first` on again and again, at the median of the longest side of the box around their centres.
+// Halves those from `first` on again and again, at the median of the longest side of the box around
+// their centres.
 void put_near(std::vector<std::size_t>::iterator first, std::vector<std::size_t>::iterator last,
               const std::vector<std::vector<double>>& centres) {
   constexpr std::ptrdiff_t kFew = 2;

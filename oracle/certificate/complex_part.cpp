@@ -1,4 +1,5 @@
-// Definition 4.3: which segment or polygon holds each face of the mesh, and on how many sides of it the domain is.
+// Definition 4.3: which segment or polygon holds each face of the mesh, and on how many sides of it
+// the domain is.
 #include <algorithm>
 #include <set>
 

@@ -6,7 +6,7 @@
 
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/evidence.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 
 namespace circumspect::certificate {
 
@@ -201,7 +201,8 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
   auto refutation = refutation_of(mesh, verdict, *points);
   if (!refutation && verdict.claim() != Claim::kComplex) {
     // The witness that is needed may be one that the verdict had no room for.
-    const Verdict with_all = check::judge_points(verdict.claim(), mesh, {.max_violations = 0});
+    const Verdict with_all =
+        check::judge_exactly(verdict.claim(), mesh, nullptr, {.max_violations = 0});
     refutation = refutation_of(mesh, with_all, *points);
   }
   if (refutation) return RefutationWithPoints{std::move(*refutation), std::move(*points)};

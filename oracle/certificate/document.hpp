@@ -27,24 +27,25 @@ struct Refutation {
   std::vector<std::size_t> basis;  // points that span the plane or space
 };
 
-// Of the rules that the verdict says are broken the first that can be shown. Linear in the mesh. Nothing
-// if all that is broken is no part of the claim: simplex.orientation, complex.wrong-neighbor.
-// Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that is
-// the dimension of their affine hull.
+// Of the rules that the verdict says are broken the first that can be shown. Linear in the mesh.
+// Nothing if all that is broken is no part of the claim: simplex.orientation,
+// complex.wrong-neighbor.
+// Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that
+// is the dimension of their affine hull.
 std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points);
 
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation);
-// Its parts: up to the line `spans`, where the first line ends with the rule or, instead of it, with `words`; and the
-// line `because`, with the end.
+// Its parts: up to the line `spans`, where the first line ends with the rule or, instead of it,
+// with `words`; and the line `because`, with the end.
 void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
                 const Refutation& refutation, std::string_view words = "");
 void write_because(Lines& lines, const Refutation& refutation);
 
-// A verdict with what proves it to somebody who trusts neither this program nor the one that made the
-// mesh.
+// A verdict with what proves it to somebody who trusts neither this program nor the one that made
+// the mesh.
 
 struct RefutationWithPoints {
   Refutation refutation;
@@ -54,8 +55,9 @@ struct RefutationWithPoints {
 using Document = std::variant<Certificate, ComplexCertificate, RefutationWithPoints>;
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
-// people: other claims; points that span no plane or space (where the claim is not complex, or fails), or have other
-// dimensions; a verdict that fails for nothing but rules that are no part of the claim.
+// people: other claims; points that span no plane or space (where the claim is not complex, or
+// fails), or have other dimensions; a verdict that fails for nothing but rules that are no part of
+// the claim.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);

@@ -1,5 +1,6 @@
-// Proof that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull, with the places of
-// segments, polygons and holes in it; and proof that it is not. proofs/CERTIFICATE.md has the conditions of both.
+// Proof that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull,
+// with the places of segments, polygons and holes in it; and proof that it is not.
+// proofs/CERTIFICATE.md has the conditions of both.
 #pragma once
 
 #include <functional>
@@ -18,13 +19,15 @@
 
 namespace circumspect::certificate {
 
-// A vertex of the domain and of this simplex; or another, as a combination of vertices of the domain.
+// A vertex of the domain and of this simplex; or another, as a combination of vertices of the
+// domain.
 struct Role {
   std::optional<std::uint32_t> corner_of = {};
   std::vector<std::pair<Integer, Vertex>> weights = {};
 };
 
-// A step along a segment: to the vertex, by an edge of the simplex, which in the plane is its facet.
+// A step along a segment: to the vertex, by an edge of the simplex, which in the plane is its
+// facet.
 struct Step {
   Vertex reached;
   std::uint32_t simplex;
@@ -46,8 +49,8 @@ using Flag = std::optional<std::pair<std::size_t, std::size_t>>;
 
 struct Mark {
   std::array<Flag, 4> flags = {};
-  // Of a simplex that is not kept: in which hole it is, or through which facet one leaves it, and in how
-  // many steps.
+  // Of a simplex that is not kept: in which hole it is, or through which facet one leaves it, and
+  // in how many steps.
   std::optional<std::size_t> hole = {};
   std::size_t place = 0;
   std::size_t rank = 0;  // 0: it is kept
@@ -75,8 +78,9 @@ struct PolygonCertificate {
   std::vector<std::size_t> rim = {};  // which segments of the domain its own are
 };
 
-// What shows that the domain is a piecewise linear complex. A face of the mesh (a vertex, an edge, in polygons a
-// triangle) is held by a segment, or by the polygon it is in; vertices of the domain by nothing.
+// What shows that the domain is a piecewise linear complex. A face of the mesh (a vertex, an edge,
+// in polygons a triangle) is held by a segment, or by the polygon it is in; vertices of the domain
+// by nothing.
 struct Holder {
   bool is_segment;
   std::size_t number;
@@ -103,8 +107,8 @@ struct DomainCertificate {
   std::size_t helpers = 0;  // points without a label, the last ones
 };
 
-// A mesh of a domain in which nothing dangles, and the simplices that fill the hull of its points besides. Its points need
-// not be vertices of the mesh.
+// A mesh of a domain in which nothing dangles, and the simplices that fill the hull of its points
+// besides. Its points need not be vertices of the mesh.
 struct FilledMesh {
   ExactMesh mesh;
   std::vector<Simplex> rest;
@@ -113,8 +117,8 @@ struct FilledMesh {
 
 // What a domain certificate needs and does not construct: it need not be trusted.
 struct HullFillers {
-  // d-simplices of points of the set that fill its convex hull together with the given ones, face to face;
-  // nothing if none are found.
+  // d-simplices of points of the set that fill its convex hull together with the given ones, face
+  // to face; nothing if none are found.
   using Filler = std::function<std::optional<std::vector<Simplex>>(const PointSet&,
                                                                    const std::vector<Simplex>&)>;
   Filler fill;
@@ -130,7 +134,8 @@ std::optional<ComplexPart> complex_part(const DomainCertificate& in);
 // Of each polygon the segments that its own lines list; the others in it were adopted.
 using ListedSegments = std::vector<std::set<Simplex>>;
 
-// Requires: the claim, which is about a domain, holds of the mesh. Error: why there is none, for people.
+// Requires: the claim, which is about a domain, holds of the mesh. Error: why there is none, for
+// people.
 tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMesh& mesh,
                                                                    const Domain& domain,
                                                                    const ListedSegments& listed,
@@ -147,10 +152,11 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledM
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const DomainCertificate& certificate);
 
-// What proves that a claim about a domain does not hold of a mesh: the mesh, the vertices and segments of
-// the domain, and one fault.
+// What proves that a claim about a domain does not hold of a mesh: the mesh, the vertices and
+// segments of the domain, and one fault.
 
-// Evidence of which the whole domain is part: the rule, the word for it in the file, and the tokens.
+// Evidence of which the whole domain is part: the rule, the word for it in the file, and the
+// tokens.
 struct WholeEvidence {
   Rule rule;
   std::string word;
@@ -168,7 +174,8 @@ struct WholeDomain {
   std::vector<PolygonCertificate> polygons = {};
 };
 
-// A triangle or an edge that is a face of no simplex, and points that make it one of full dimension, to see where it is.
+// A triangle or an edge that is a face of no simplex, and points that make it one of full
+// dimension, to see where it is.
 struct DanglingFace {
   Simplex face;
   std::vector<std::vector<Integer>> pads;
@@ -183,17 +190,17 @@ struct DomainRefutation {
   std::vector<DanglingFace> dangling = {};
 };
 
-// Of the rules that the verdict says are broken the first that can be shown: by the vertices and segments of the
-// domain alone if that is possible, else by all of it. Error: why there is none, for people. Requires: the verdict is
-// about the mesh and this domain, and it fails.
+// Of the rules that the verdict says are broken the first that can be shown: by the vertices and
+// segments of the domain alone if that is possible, else by all of it. Error: why there is none,
+// for people. Requires: the verdict is about the mesh and this domain, and it fails.
 tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
                                                                  const Domain& domain,
                                                                  const ListedSegments& listed,
                                                                  const Verdict& verdict,
                                                                  const HullFillers& fillers);
 
-// Requires: `vertices` are those of the domain among the points, of which the first are those of the mesh; the mesh lists what
-// dangles after its simplices.
+// Requires: `vertices` are those of the domain among the points, of which the first are those of
+// the mesh; the mesh lists what dangles after its simplices.
 std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain& domain,
                                             const ListedSegments& listed, const Verdict& verdict,
                                             const ScaledPoints& points,
@@ -203,14 +210,15 @@ std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain&
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
 
-// What proves that a domain in space has no triangulation, or no CDT: of each set of four vertices why it is no simplex of
-// one, and clauses that hold of every triangulation and that nothing satisfies. Book: Section 4.5.
+// What proves that a domain in space has no triangulation, or no CDT: of each set of four vertices
+// why it is no simplex of one, and clauses that hold of every triangulation and that nothing
+// satisfies. Book: Section 4.5.
 
 // Variables v > 0 and their negations -v.
 using Clause = std::vector<int>;
 
-// A clause that follows by unit propagation from others, by their numbers: those of the formula count from 1,
-// the steps go on after them.
+// A clause that follows by unit propagation from others, by their numbers: those of the formula
+// count from 1, the steps go on after them.
 struct ProofStep {
   Clause clause;
   std::vector<std::size_t> hints;
@@ -237,8 +245,8 @@ struct Impossibility {
   std::vector<ProofStep> steps = {};
 };
 
-// For the claims plc-triangulation and cdt. Error: why there is none, for people. Requires: the domain is in
-// space.
+// For the claims plc-triangulation and cdt. Error: why there is none, for people. Requires: the
+// domain is in space.
 tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, Claim claim,
                                                           const ListedSegments& listed,
                                                           const HullFillers& fillers,

@@ -74,7 +74,8 @@ class Finder {
     return std::nullopt;
   }
 
-  // Where the mesh lists the vertex, the edge that it is inside of, and the segment; from the witness.
+  // Where the mesh lists the vertex, the edge that it is inside of, and the segment; from the
+  // witness.
   std::optional<Evidence> vertex_in_edge(const Verdict& verdict) const {
     for (const Violation& violation : verdict.violations()) {
       const Witness& witness = violation.witness;
@@ -99,8 +100,9 @@ class Finder {
     return std::nullopt;
   }
 
-  // Weights for the vertices of a dangling simplex and for those that are in its circumballs: both are combined to one point,
-  // and the latter's squares to less. Such weights exist wherever no circumball is empty.
+  // Weights for the vertices of a dangling simplex and for those that are in its circumballs: both
+  // are combined to one point, and the latter's squares to less. Such weights exist wherever no
+  // circumball is empty.
   std::optional<Evidence> no_empty_ball(const Verdict& verdict) const {
     for (const Violation& violation : verdict.violations()) {
       if (violation.rule != Rule::kNoEmptyBall) continue;
@@ -175,7 +177,8 @@ class Finder {
     return std::nullopt;
   }
 
-  // The midpoint of two vertices of the mesh that follow on each other on the segment and are no edge.
+  // The midpoint of two vertices of the mesh that follow on each other on the segment and are no
+  // edge.
   std::optional<Evidence> segment_missing() const {
     std::set<Simplex> edges;
     for (const Simplex& simplex : mesh_.simplices) {

@@ -1,4 +1,5 @@
-// The part of a domain certificate that a domain and a polygon, seen as a domain of its plane, have in common.
+// The part of a domain certificate that a domain and a polygon, seen as a domain of its plane, have
+// in common.
 #pragma once
 
 #include <map>
@@ -26,13 +27,14 @@ struct PartInput {
 // Error: why there is none, for people.
 tl::expected<DomainPart, std::string> domain_part(const PartInput& input);
 
-// The point v as a combination, with weights that are not negative, of the vertices of a simplex that
-// contains it; empty if none does.
+// The point v as a combination, with weights that are not negative, of the vertices of a simplex
+// that contains it; empty if none does.
 std::vector<std::pair<Integer, Vertex>> combination(const ScaledPoints& points,
                                                     const std::vector<Simplex>& simplices,
                                                     Vertex v);
 
-// The simplex that has the seed strictly inside, if there is one that is not kept; else one that has it.
+// The simplex that has the seed strictly inside, if there is one that is not kept; else one that
+// has it.
 // None: it is in a kept one or beyond all of them, and makes no hole.
 std::optional<std::uint32_t> simplex_around(const PartInput& input, const HomogeneousPoint& seed);
 
@@ -46,8 +48,8 @@ struct PolygonPlace {
   std::function<std::vector<Vertex>(std::size_t)> chain;
 };
 
-// The polygon number `cell`, which these triangles of the points tile; `listed` are its own segments. Where in
-// a mesh the triangles are is left open. Error: why there is none, for people.
+// The polygon number `cell`, which these triangles of the points tile; `listed` are its own
+// segments. Where in a mesh the triangles are is left open. Error: why there is none, for people.
 tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonPlace& in,
                                                                   std::size_t cell,
                                                                   const std::set<Simplex>& listed,

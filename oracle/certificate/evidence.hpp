@@ -32,8 +32,8 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
 std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                          Rule rule, const Witness& witness);
 
-// A point beyond a facet of the boundary, or three facets of the boundary that share a ridge; from the
-// witness of the fault.
+// A point beyond a facet of the boundary, or three facets of the boundary that share a ridge; from
+// the witness of the fault.
 std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness);
 
 // For each simplex a facet beyond which the point lies: none covers it. Requires: sound simplices.

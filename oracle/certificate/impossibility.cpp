@@ -1,5 +1,5 @@
-// Candidates are the sets of four vertices, in lexicographic order. What a triangulation must do is said in clauses about
-// them, as proofs/existence/Necessary.v proves it; a solver says which of them are enough.
+// Candidates are the sets of four vertices, in lexicographic order. Clauses about them say what a
+// triangulation must do (proved in proofs/existence/Necessary.v); a solver says which are enough.
 #include <algorithm>
 #include <map>
 
@@ -47,7 +47,7 @@ std::vector<Point> clipped(const std::vector<Point>& corners, const Halfspace& h
   return left;
 }
 
-// A vertex, a segment or a piece of a polygon: part of a cell, and what its points are called in the file.
+// A vertex, a segment or a piece of a polygon: part of a cell, with the names that the file gives.
 struct CellPart {
   std::string name;
   std::vector<Point> corners;
@@ -172,8 +172,8 @@ class Search {
     return "free";
   }
 
-  // A vertex in the open ball of the candidate that some point inside can see, with planes that part the way there
-  // from all cells. All in integers.
+  // A vertex in the open ball of the candidate that some point inside can see, with planes that
+  // part the way there from all cells. All in integers.
   std::optional<std::string> encroachment(const Simplex& candidate) const {
     constexpr std::array<std::array<int, 4>, 3> kWeights = {
         {{1, 1, 1, 1}, {1, 2, 3, 5}, {5, 3, 2, 1}}};
@@ -201,7 +201,7 @@ class Search {
     return {points_.coordinate(v, 0), points_.coordinate(v, 1), points_.coordinate(v, 2)};
   }
 
-  // Planes with the way from sum / total to v on one side, but perhaps for v, and each part of a cell on the other.
+  // Planes between the way from sum / total to v, which v may end in one, and each part of a cell.
   std::optional<std::string> parting_planes(const Point& sum, const Rational& total,
                                             const Point& v) const {
     std::vector<Plane> planes;

@@ -4,6 +4,7 @@
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/document.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::certificate {
@@ -12,7 +13,7 @@ namespace {
 // The rule and the line of evidence, which the acceptor has accepted.
 std::string because(const ExactMesh& mesh, Claim claim = Claim::kDelaunay,
                     const check::Options& options = {}) {
-  const Verdict verdict = check::judge_points(claim, mesh, options);
+  const Verdict verdict = check::judge_exactly(claim, mesh, nullptr, options);
   REQUIRE(!verdict.holds());
   const auto document = document_of(mesh, verdict);
   REQUIRE(document);
@@ -26,7 +27,7 @@ const std::vector<Point> kSquare = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
 TEST_CASE("the refutation of a mesh, as it stands in the file") {
   const ExactMesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, -5, 9, 9}}, {4, 5, 6, 7}};
-  const Verdict verdict = check::triangulation(mesh);
+  const Verdict verdict = check::judge_points(Claim::kTriangulation, mesh);
   CHECK(text_of(mesh, *document_of(mesh, verdict)) ==
         "circumspect-refutation 2 triangulation 2 triangulation.unknown-vertex\n"
         "scale 2 1\n"
@@ -93,7 +94,8 @@ TEST_CASE("where all of the hull is covered, it may not be closed all the same")
   std::vector<Simplex> simplices = {{0, 2, 4}, {0, 4, 6}};
   for (Vertex v = 0; v < 8; ++v) simplices.push_back({v, (v + 1) % 8, 8});
   const ExactMesh mesh{points, simplices};
-  CHECK(check::delaunay(mesh).tallies().begin()->first == Rule::kHullNotClosed);
+  CHECK(check::judge_points(Claim::kDelaunay, mesh).tallies().begin()->first ==
+        Rule::kHullNotClosed);
   CHECK(because(mesh).find("triangulation.hull-not-closed: ") == 0);
 }
 
@@ -140,7 +142,7 @@ TEST_CASE("weights: points below planes, submerged vertices, points outside") {
 
 TEST_CASE("a fault that is none of the claim has no refutation") {
   const ExactMesh turned{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
-  const Verdict verdict = check::delaunay(turned, {.oriented = true});
+  const Verdict verdict = check::judge_points(Claim::kDelaunay, turned, {.oriented = true});
   CHECK(!verdict.holds());
   const auto document = document_of(turned, verdict);
   REQUIRE(!document);

@@ -192,7 +192,8 @@ struct Separator {
   Rational offset;
 };
 
-// Of two disjoint convex sets the nearest points are on corners, edges or a triangle: one of these planes is between.
+// Of two disjoint convex sets the nearest points are on corners, edges or a triangle: one of these
+// planes is between.
 std::optional<Separator> separator(const std::vector<Point>& corners, const Point& a,
                                    const Point& b, const auto& condition) {
   std::vector<Point> directions = {b - a};
@@ -308,8 +309,8 @@ Rational height(const Point& a, const Point& b, const Point& towards, const Poin
   return inner_product(cross_product(b - a, towards - a), cross_product(b - a, point - a));
 }
 
-// Between which parts of the way, 0 at one end and 1 at the other, it is in the triangle: from the first to the second, if that
-// is not less.
+// Between which parts of the way, 0 at one end and 1 at the other, it is in the triangle: from the
+// first to the second, if that is not less.
 std::pair<Rational, Rational> part_inside(const std::vector<Point>& triangle, const Point& from,
                                           const Point& to) {
   Rational first = 0;

@@ -1,5 +1,5 @@
-// Evidence that speaks of the whole domain. Points and planes are in the integers of the file; what the checker decides
-// is decided here in the same way, so that what is written is accepted.
+// Evidence that speaks of the whole domain. Points and planes are in the integers of the file; what
+// the checker decides is decided here in the same way, so that what is written is accepted.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -160,7 +160,8 @@ class WholeSearch {
     return 1 / total * sum;
   }
 
-  // From inside a triangle that dangles a vertex in its circumdisk is seen, through pieces of their polygon.
+  // From inside a triangle that dangles a vertex in its circumdisk is seen, through pieces of their
+  // polygon.
   std::optional<WholeEvidence> dangling_not_delaunay() const {
     constexpr std::array<std::array<int, 3>, 7> kWeights = {
         {{1, 1, 1}, {8, 8, 1}, {8, 1, 8}, {1, 8, 8}, {8, 4, 1}, {1, 8, 4}, {4, 1, 8}}};
@@ -280,7 +281,8 @@ class WholeSearch {
   // The simplex misses the point, or of the least face around it a vertex is off the polygon.
   bool leaves(const Simplex& simplex, const HomogeneousPoint& q, std::size_t polygon) {
     if (!is_full(simplex)) {
-      // Its least face with the point: what is left when the others are taken away that are not needed.
+      // Its least face with the point: what is left when the others are taken away that are not
+      // needed.
       Simplex face = simplex;
       const Point point = ordinary(q);
       if (!is_in(face, point)) return true;

@@ -56,8 +56,6 @@ class DistributedJudge {
     return {own_rank(), static_cast<std::uint32_t>(s * kVertices + place)};
   }
 
-  // ── A mesh that holds, or fails by facets that are not locally Delaunay alone ──────────────────
-
   // Does what the sweep of a whole mesh does, on the parts; false if a condition is not met.
   struct Swept {
     fast::Orientations orientations{1};
@@ -188,8 +186,6 @@ class DistributedJudge {
     return true;
   }
 
-  // ── A mesh that fails otherwise ────────────────────────────────────────────────────────────────
-
   // At the first rank, the exact checkers look at the faults. False if no simplex is sound.
   bool judge_by_faults(Judged& judged) {
     FaultSearch<kDimension> search(ranks_, mesh_, claim_);
@@ -211,8 +207,6 @@ class DistributedJudge {
     settle(*verdict, part.named(), judged);
     return true;
   }
-
-  // ── Where nothing is sound: every simplex is at fault ──────────────────────────────────────────
 
   void judge_gathered(Judged& judged) {
     Names own;

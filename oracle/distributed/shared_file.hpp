@@ -23,10 +23,10 @@ struct Counted {
 // A name may refer to different files on different machines, or in different folders. Slices of two
 // files do not form a mesh, and ranks with different numbers of points would wait for each other
 // for ever. Called by all ranks when each has read its part. Ranks of one machine that see one and
-// the same file need nothing else; if there are several copies, the ranks that see a copy digest all
-// of its bytes, each an equal part. Errors, the same at all ranks: the ranks' files differ in their
-// counts, their size or any byte (two copies with equal digests of 64 bits by chance excepted). This
-// finds mistakes, and is no defence against an attack.
+// the same file need nothing else; if there are several copies, the ranks that see a copy digest
+// all of its bytes, each an equal part. Errors, the same at all ranks: the ranks' files differ in
+// their counts, their size or any byte (two copies with equal digests of 64 bits by chance
+// excepted). This finds mistakes, and is no defence against an attack.
 formats::Status check_shared(Ranks& ranks, const std::string& path, const Counted& own);
 
 }  // namespace circumspect::distributed

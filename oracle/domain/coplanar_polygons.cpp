@@ -53,10 +53,10 @@ DisjointSets joined_across(const std::vector<Simplex>& triangles, const std::set
 }
 
 // A point in each hole of a polygon, of which `triangles` is some triangulation. The convex hull is
-// triangulated with all segments of the members as edges. What their segments part lies in a member or in
-// none; it lies in one if it is on the side of one of these segments on which a triangle of the polygon
-// is. What lies in none, and from which no way leads out but across segments, is a hole.
-// `members`: the segments of all members. Requires: ascending triangles and segments.
+// triangulated with all segments of the members as edges. What their segments part lies in a member
+// or in none; it lies in one if it is on the side of one of these segments on which a triangle of
+// the polygon is. What lies in none, and from which no way leads out but across segments, is a
+// hole. `members`: the segments of all members. Requires: ascending triangles and segments.
 std::vector<Point> seeds_in_holes(const PointSet& points, const Polygon& polygon,
                                   const std::set<Simplex>& members) {
   const std::vector<Simplex> hull = triangulate_by_sweep(points, polygon.axes, polygon.vertices,

@@ -55,8 +55,8 @@ void visit_from_outside(const std::vector<Beside>& beside, std::size_t regions,
   }
 }
 
-// Twice the area that a line encloses, along the normal about which it turns counterclockwise. (M. Newell's
-// formula: the sum of cross products of corners that follow each other.)
+// Twice the area that a line encloses, along the normal about which it turns counterclockwise. (M.
+// Newell's formula: the sum of cross products of corners that follow each other.)
 Point area_of(const std::vector<Vertex>& line, const PointSet& points) {
   Point area = {0, 0, 0};
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -84,8 +84,8 @@ Point point_before(const Regions& regions, const OrientedFacet& side) {
   Point step = {-u[1], u[0]};  // on the left, where the front of an edge is
   if (corners.size() == 3) step = cross_product(corners[2] - corners[0], u);
   if (side.reversed) step = Rational(-1) * step;
-  // The plane of another wall may hold this way, however short it is; but only two at most of those aside: they
-  // lie on a parabola, and its plane does not go through the centre.
+  // The plane of another wall may hold this way, however short it is; but only two at most of those
+  // aside: they lie on a parabola, and its plane does not go through the centre.
   for (int t = 0;; ++t) {
     const Rational aside = t == 0 ? Rational(0) : Rational(1, t);
     Point way = step + aside * u;

@@ -15,7 +15,8 @@ namespace circumspect {
 
 namespace {
 
-// The squares of a box, each turned so that it is counterclockwise seen from outside, or all the other way.
+// The squares of a box, each turned so that it is counterclockwise seen from outside, or all the
+// other way.
 PiecewiseLinearInput turned_box(const Rational& low, const Rational& high, bool inward = false) {
   PiecewiseLinearInput box = generators::box(low, high);
   box.polygons.clear();
@@ -85,7 +86,8 @@ TEST_CASE("boxes in boxes: every second layer is filled, or all, or as they are 
 }
 
 TEST_CASE("a point of a region is found where the plane of a wall holds the normal of another") {
-  // A tetrahedron below a triangle, and a triangle in a plane through the centre of that which stands upright on it.
+  // A tetrahedron below a triangle, and a triangle in a plane through the centre of that which
+  // stands upright on it.
   PiecewiseLinearInput input;
   input.points = {{0, 0, 0},    {6, 0, 0},    {0, 6, 0},   {0, 0, -6},
                   {-3, -3, -1}, {10, 10, 10}, {-3, -3, 10}};

@@ -1,5 +1,5 @@
-// Elements of second order and more are judged by their corners: the simplices that they would be if
-// they were straight.
+// Elements of second order and more are judged by their corners: the simplices that they would be
+// if they were straight.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace circumspect::formats {
 
-// The indices of nodes of curved elements that are not their corners, ascending, each once. They are
-// no vertices of the mesh, unless another element has them as a corner.
+// The indices of nodes of curved elements that are not their corners, ascending, each once. They
+// are no vertices of the mesh, unless another element has them as a corner.
 std::vector<Vertex> nodes_between_corners(const ElementFile& file);
 
 // A note that says how many elements are judged by their corners and, if all are of second order,

@@ -16,7 +16,6 @@
 
 namespace circumspect::formats {
 
-// ---- Element formats ----
 // A mesh of elements is the same in every form of every format, and its numbers are exact to the
 // last bit.
 
@@ -136,7 +135,6 @@ TEST_CASE("what surfaces and cells of other shapes become") {
         "f:5: expected elements of first order, found an edge of second order");
 }
 
-// ---- Gmsh ----
 // Gmsh's .msh: what is skipped, what is refused, and the messages. The forms of the same mesh are
 // in the first part of this file.
 
@@ -332,7 +330,6 @@ TEST_CASE("gmsh: elements of second order and other shapes") {
   CHECK(domain->input.polygons.size() == 1);
 }
 
-// ---- .tet ----
 // .tet: inner and outer tetrahedra, exact coordinates, what is refused. The binary form is in
 // the first part of this file.
 

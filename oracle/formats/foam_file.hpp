@@ -2,7 +2,7 @@
 //
 //     FoamFile
 //     {
-//         format      ascii;                      or binary, whose numbers are those of this machine
+//         format      ascii;                      or binary, with the numbers of this machine
 //         class       faceList;
 //         arch        "LSB;label=32;scalar=64";
 //     }

@@ -2,7 +2,7 @@
 //
 //     4 2 4                                       in the plane: vertices, triangles, edges
 //     0 0 1                                       x, y and a label of each vertex
-//     1 2 3 0                                     the vertices of each triangle, from 1, and a label
+//     1 2 3 0                                     the vertices of each triangle, from 1; a label
 //     1 2 1                                       those of each edge
 //
 // In space these are vertices, tetrahedra and triangles.

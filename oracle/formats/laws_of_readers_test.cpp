@@ -1,5 +1,5 @@
-// Laws of the readers of elements: a count that is wrong by one is noticed, in either direction, and
-// an integer means the same number whatever type stores it.
+// Laws of the readers of elements: a count that is wrong by one is noticed, in either direction,
+// and an integer means the same number whatever type stores it.
 #include <limits>
 
 #include <doctest/doctest.h>

@@ -91,7 +91,6 @@ TEST_CASE("no malformed file is left out of the table") {
   }
 }
 
-// ---- Foreign files ----
 namespace {
 
 std::string kind(const std::string& name, const std::string& text) {

@@ -26,7 +26,8 @@ bool is_medit_keyword(std::string_view token);
 // References are dropped; the first index is 1.
 Result<ElementFile> read_medit(const Source& source, NumberReading reading);
 
-// Labels are references. Requires: points of dimension 2 or 3; vertices are counted from the first index of the points.
+// Labels are references. Requires: points of dimension 2 or 3; vertices are counted from the first
+// index of the points.
 void write_medit(std::ostream& out, const ElementFile& file);
 
 }  // namespace circumspect::formats

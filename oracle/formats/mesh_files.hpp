@@ -19,7 +19,8 @@ namespace circumspect::formats {
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
-// The same of what gzip packed: ".ele" of x.ele.gz; and ".foam" of the folder of a case of OpenFOAM.
+// The same of what gzip packed: ".ele" of x.ele.gz; and ".foam" of the folder of a case of
+// OpenFOAM.
 // What is read is asked by this.
 std::string extension_inside(const std::string& path);
 
@@ -64,15 +65,16 @@ bool may_be_of_plane(const MeshRequest& request);
 bool is_of_domain_dimension(const MeshRequest& request, const Mesh& mesh);
 
 // Reads into `loaded` pipes and standard input, which can be read only once, and the files whose
-// names do not tell their format or are packed. Fails if mesh and points are both to come from standard input.
+// names do not tell their format or are packed. Fails if mesh and points are both to come from
+// standard input.
 void load_streams(MeshRequest& request);
 
 // The loaded text of a file; null if it was not loaded.
 const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path);
 
 // The usual ending of files of this format: by the ending of the path, if it is known, else by the
-// content of the text; empty if the format cannot be known. `text` may be null. A list of simplices alone
-// counts as a mesh only `if_points` are known.
+// content of the text; empty if the format cannot be known. `text` may be null. A list of simplices
+// alone counts as a mesh only `if_points` are known.
 std::string_view format_of_points(const std::string& path, const Source* text);
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points);
 
@@ -103,7 +105,6 @@ Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
 // The same, but always by the readers that have the messages.
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
 
-// ---- What programs write otherwise ----
 // Meshes that programs write in another form than the domain: dangling triangles and edges as if
 // they were the simplices. (plane.hpp is about planar points with a third coordinate.)
 
@@ -113,7 +114,8 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
 void take_for_faces(MeshFile& file);
 
 // Elements of second order are judged by their corners: leaves out the points between these
-// (curved_elements.hpp), given by the user's indices; all others keep theirs. Requires: no simplex and no face has one.
+// (curved_elements.hpp), given by the user's indices; all others keep theirs. Requires: no simplex
+// and no face has one.
 void leave_out_nodes_between(const std::vector<Vertex>& indices, Mesh& mesh);
 
 // For a mesh of more than the domain, for example of the convex hull with label 0 outside: keeps
@@ -123,7 +125,6 @@ void leave_out_nodes_between(const std::vector<Vertex>& indices, Mesh& mesh);
 Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>& labels,
                      MeshFile& file);
 
-// ---- Large meshes of doubles ----
 // Large meshes of doubles, read directly into their arrays: .ele or .npy with points in .node or
 // .npy. Anything that mesh_files.hpp would read differently, refuse or take from elsewhere gets no
 // answer here and is left to it; an answer is always the same mesh.

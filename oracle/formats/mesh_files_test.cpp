@@ -18,7 +18,6 @@
 
 namespace circumspect::formats {
 
-// ---- Mesh files ----
 // A mesh is found by each name that users give.
 
 namespace {
@@ -323,7 +322,6 @@ TEST_CASE("simplices that are none are named by their line") {
   CHECK(error_of(mesh_of(off)) == off + ":7: expected a triangle, found a face with 4 vertices");
 }
 
-// ---- Source ----
 // Loading files, messages on one line, and the lines of a text.
 
 namespace {

@@ -14,8 +14,8 @@
 //     3                                           coordinates of each, then these
 //     0 0 0
 //
-// In place of coordinates there may be a section `nodes`: a function on the mesh, whose first values
-// are those at the vertices if it is continuous.
+// In place of coordinates there may be a section `nodes`: a function on the mesh, whose first
+// values are those at the vertices if it is continuous.
 #pragma once
 
 #include "kernel/exact/number.hpp"
@@ -27,8 +27,9 @@ namespace circumspect::formats {
 
 bool is_mfem(const Beginning& beginning);
 
-// Attributes are labels. Errors: also, meshes that are not conforming, and NURBS; nodes of a function
-// that is not continuous. A note says that elements of higher order are judged by their corners.
+// Attributes are labels. Errors: also, meshes that are not conforming, and NURBS; nodes of a
+// function that is not continuous. A note says that elements of higher order are judged by their
+// corners.
 Result<ElementFile> read_mfem(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats

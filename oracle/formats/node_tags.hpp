@@ -1,5 +1,5 @@
-// Files that give each node a tag of its own, in any order, by which elements name it: those of Gmsh,
-// Abaqus and Nastran.
+// Files that give each node a tag of its own, in any order, by which elements name it: those of
+// Gmsh, Abaqus and Nastran.
 #pragma once
 
 #include <string>

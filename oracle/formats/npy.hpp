@@ -20,12 +20,10 @@
 
 namespace circumspect::formats {
 
-// ---- NPY header ----
 // The beginning of an .npy file of NumPy (format versions 1.0, 2.0 and 3.0): eight bytes, the
 // length of the header, and the header, a dictionary of Python:
 //
 //     {'descr': '<f8', 'fortran_order': False, 'shape': (4, 3), }
-
 struct NpyHeader {
   std::string type = {};  // as written: "<f8"; structured types in brackets
   bool fortran_order = false;
@@ -41,7 +39,6 @@ bool is_npy(std::string_view beginning);
 // `name` stands for the file in errors, which say what is wrong in the header.
 Result<NpyHeader> read_npy_header(const RandomAccess& file, const std::string& name);
 
-// ---- NPY ----
 // Arrays as NumPy saves them: .npy. Points are an array n × d of float64 or float32, simplices one
 // m × k of integers, row after row or column after column (Fortran order), in either byte order.
 // Each number is taken exactly. Vertices are counted from 0.

@@ -47,7 +47,6 @@ void write_ply(std::ostream& out, const ElementFile& file);
 // A surface. Faces are polygons of one line. Errors: also, a file without the element face.
 Result<DomainFile> read_ply(const Source& source, NumberReading reading);
 
-// ---- PLY header ----
 // The header of a PLY file: the elements, their numbers and their properties.
 
 // char, uchar, short, ushort, int, uint, float and double, or int8 … float64.

@@ -43,8 +43,8 @@ class PolyMeshReader {
   // The faces of each cell, one cell after the other.
   Status collect_faces();
   void add_cell(std::size_t cell);
-  // A tetrahedron of these faces, positively oriented if the first face is as it should be; nothing if they
-  // are no four triangles of four vertices.
+  // A tetrahedron of these faces, positively oriented if the first face is as it should be; nothing
+  // if they are no four triangles of four vertices.
   std::optional<Simplex> tetrahedron_of(std::size_t cell) const;
   tl::unexpected<FormatError> fail(const char* file, std::string expected,
                                    std::string found) const {

@@ -14,7 +14,6 @@
 
 namespace circumspect::formats {
 
-// ---- Reading ----
 // Shared by the tests of readers: a source with the name "f", and the message of a reader.
 
 constexpr NumberReading kDouble = NumberReading::kDouble;
@@ -26,7 +25,6 @@ std::string error_of(const Result<T>& result) {
   return result ? "no error" : result.error().to_string();
 }
 
-// ---- NPY bytes ----
 // The bytes of .npy and .npz files, as numpy.save and numpy.savez write them.
 
 // `version` 1 counts the header's bytes with two bytes, later ones with four.

@@ -10,7 +10,6 @@
 
 namespace circumspect::formats {
 
-// ---- Surface formats ----
 // STL and PLY, in text and binary: what is read, what is refused, and the messages.
 
 namespace {
@@ -272,7 +271,6 @@ TEST_CASE("ply: what is refused") {
         "f:10: expected face 1 of 1, found the end of the file");
 }
 
-// ---- OBJ ----
 // Wavefront's .obj: what is skipped, what is refused, and the messages.
 
 namespace {

@@ -112,8 +112,6 @@ void write_node(std::ostream& out, const PointFile& file) {
   }
 }
 
-// ---- .ele ----
-
 namespace {
 
 struct EleHeader {
@@ -206,8 +204,6 @@ void write_ele(std::ostream& out, const SimplexFile& file) {
   write_numbered(out, file.first_index, file.simplices.lists());
 }
 
-// ---- .face and .edge ----
-
 namespace {
 
 // The columns of a line before TetGen's additions.
@@ -281,8 +277,6 @@ void write_face(std::ostream& out, const SimplexFile& file) {
   out << std::to_string(file.simplices.size()) + " 0\n";
   write_numbered(out, file.first_index, file.simplices.lists());
 }
-
-// ---- .neigh ----
 
 namespace {
 

@@ -16,7 +16,6 @@
 
 namespace circumspect::formats {
 
-// ---- .node ----
 // Points as Triangle and TetGen write them: .node.
 //
 //     points dimension [attributes [markers]]       markers: 0 or 1
@@ -35,7 +34,6 @@ Result<PointFile> read_node_list(NumberedLines& numbered, NumberReading reading)
 // point, all rows of attributes have one length.
 void write_node(std::ostream& out, const PointFile& file);
 
-// ---- .ele ----
 // Triangles and tetrahedra as Triangle and TetGen write them: .ele.
 //
 //     simplices k [attributes]                      k: vertices of each
@@ -53,7 +51,6 @@ Result<std::vector<Simplex>> read_ele_offsets(const Source& source, std::size_t 
 // Requires: every simplex has vertices_per_simplex vertices, at least 1.
 void write_ele(std::ostream& out, const SimplexFile& file);
 
-// ---- .face and .edge ----
 // Triangles and edges as Triangle and TetGen write them beside a mesh: .face and .edge.
 //
 //     faces [markers]                             markers: 0 or 1
@@ -71,14 +68,12 @@ void add_markers(const SimplexFile& file, Vertex first_index, std::map<Simplex, 
 // Writes no markers. Requires: all simplices have the same number of vertices.
 void write_face(std::ostream& out, const SimplexFile& file);
 
-// ---- .neigh ----
 // Which simplices are neighbours, as Triangle and TetGen write it: .neigh.
 //
 //     simplices k                                   k: neighbours of each
 //     index n0 … n(k-1)                             one line a simplex
 //
 // Neighbour i shares the facet opposite vertex i of the .ele file; -1: there is none.
-
 struct NeighborFile {
   std::vector<std::vector<Vertex>> neighbors = {};  // indices of simplices exactly as in the file
   std::size_t neighbors_per_simplex = 0;

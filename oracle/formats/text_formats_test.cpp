@@ -12,7 +12,6 @@
 
 namespace circumspect::formats {
 
-// ---- Text formats ----
 // Every text format: what is read, what is refused, and the messages.
 
 namespace {
@@ -323,7 +322,6 @@ TEST_CASE("face: triangles with a marker other than 0, by their vertices from 0,
   CHECK(markers == std::map<Simplex, Vertex>{{{0, 1, 2}, -7}, {{0, 2, 3}, 9}});
 }
 
-// ---- Point lists ----
 // Points as .xyz and .csv: what is read and what is refused.
 
 namespace {

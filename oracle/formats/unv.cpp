@@ -70,7 +70,8 @@ const UnvType* unv_type_of(Vertex code) {
   return type == kUnvTypes.end() ? nullptr : type;
 }
 
-// The corners, then the others: the format lists the nodes of second order on the way around a face.
+// The corners, then the others: the format lists the nodes of second order on the way around a
+// face.
 void put_corners_first(Simplex& nodes, ElementShape shape) {
   if (shape == kCurvedEdge) nodes = {nodes[0], nodes[2], nodes[1]};
   if (shape == kCurvedTriangle)

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "oracle/judge/complex/judge_complex.hpp"
-#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/failing_complex.hpp"
 #include "oracle/judge/fast/judge.hpp"
@@ -51,7 +51,6 @@ FactsOrUndecided facts_of(const Mesh& mesh, fast::MeshView<kDimension, Index> vi
 
 OrReason<Verdict> judged_fast(Claim claim, const Mesh& mesh, const Options& options,
                               std::optional<fast::SweptMesh>& swept) {
-  if (options.by != By::kLemma) return because("judged by definition");
   const bool weighted = claim == Claim::kWeightedDelaunay && mesh.is_weighted();
   return asked_of_rows<Verdict>(mesh, weighted, [&](const auto& view) -> OrReason<Verdict> {
     const auto facts = facts_of(mesh, view, question_of(claim), threads_of(options), swept);
@@ -103,7 +102,7 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
       facts ? held_in_domain(claim, mesh, domain, *facts, options) : std::nullopt;
   Verdict verdict =
       held ? *std::move(held)
-           : judge_domain(claim, exact(mesh), domain, options, facts ? &*facts : nullptr);
+           : judge_exactly(claim, exact(mesh), &domain, options, facts ? &*facts : nullptr);
   if (facts) {
     verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
   } else {
@@ -112,53 +111,60 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
   return verdict;
 }
 
-template <std::size_t kDimension, typename Index>
-OrReason<Verdict> complex_fast(const fast::MeshView<kDimension, Index>& view,
-                               const Options& options) {
-  if (options.by != By::kLemma) return because("judged by definition");
-  auto verdict = held_complex(view, options.complex, options.max_violations, threads_of(options));
-  if (!verdict) {
-    verdict = failing_complex(view, options.complex, options.max_violations, threads_of(options));
+// What is equal breaks a rule of this claim, and is no error.
+Verdict judged_as_complex(const Mesh& mesh, const Options& options) {
+  const bool by_definition = options.by == By::kDefinition;
+  if (!by_definition) {
+    const auto found =
+        asked_of_rows<Verdict>(mesh, false, [&](const auto& view) -> OrReason<Verdict> {
+          const unsigned threads = threads_of(options);
+          auto held = held_complex(view, options.complex, options.max_violations, threads);
+          if (held) return std::move(*held);
+          auto failing = failing_complex(view, options.complex, options.max_violations, threads);
+          if (failing) return std::move(*failing);
+          return because("something to be asked of exact numbers");
+        });
+    if (found) return *found;
+    auto surface = held_surface(mesh, options.complex, options.max_violations);
+    if (surface) return std::move(*surface);
   }
-  if (!verdict) return because("something to be asked of exact numbers");
-  return std::move(*verdict);
+  return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
+                       by_definition, options.max_violations);
+}
+
+using VerdictOrEqualPoints = tl::expected<Verdict, EqualPoints>;
+
+// By lemma, a claim about a mesh of points.
+VerdictOrEqualPoints judged_as_points(Claim claim, const Mesh& mesh, const Options& options) {
+  std::optional<fast::SweptMesh> swept;
+  OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
+  if (verdict) return std::move(*verdict);
+  const std::string_view why_not_fast = verdict.error();
+  std::vector<Duplicate> repeated = equal_points(mesh);
+  if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
+  verdict = judged_by_faults(claim, mesh, options, std::move(swept));
+  if (verdict) return std::move(*verdict);
+  Verdict exactly = judge_exactly(claim, exact(mesh), nullptr, options);
+  exactly.course.why_not_fast = why_not_fast;
+  return exactly;
 }
 
 // The claim alone, without what is required of the shape of simplices.
-tl::expected<Verdict, EqualPoints> judged(Claim claim, const Mesh& mesh, const Domain* domain,
-                                          const Options& options) {
+VerdictOrEqualPoints judged(Claim claim, const Mesh& mesh, const Domain* domain,
+                            const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
-  if (claim == Claim::kComplex) {
-    const auto held = asked_of_rows<Verdict>(
-        mesh, false, [&](const auto& view) { return complex_fast(view, options); });
-    if (held) return *held;
-    if (options.by == By::kLemma) {
-      auto surface = held_surface(mesh, options.complex, options.max_violations);
-      if (surface) return std::move(*surface);
-    }
-    return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
-                         options.by == By::kDefinition, options.max_violations);
-  }
+  if (claim == Claim::kComplex) return judged_as_complex(mesh, options);
   if (claim == Claim::kPeriodicDelaunay) return judge_periodic(mesh, options);
-  std::string_view why_not_fast;
-  std::optional<fast::SweptMesh> swept;
   const bool is_about_list = is_about_a_list(claim);
-  if (is_about_list) {
-    why_not_fast = "a claim about a list";
-  } else if (domain == nullptr) {
-    OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
-    if (verdict) return std::move(*verdict);
-    why_not_fast = verdict.error();
+  const bool by_lemma = options.by == By::kLemma;
+  if (by_lemma && domain == nullptr && !is_about_list) {
+    return judged_as_points(claim, mesh, options);
   }
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
-  if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
-  if (options.by == By::kLemma && !is_about_list) {
-    OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options, std::move(swept));
-    if (verdict) return std::move(*verdict);
-  }
-  Verdict verdict = judge_points(claim, exact(mesh), options);
-  verdict.course.why_not_fast = why_not_fast;
+  if (by_lemma && domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
+  Verdict verdict = judge_exactly(claim, exact(mesh), domain, options);
+  verdict.course.why_not_fast = is_about_list ? "a claim about a list" : "judged by definition";
   return verdict;
 }
 

@@ -4,6 +4,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
 #include "properties/arguments/run.hpp"
@@ -37,7 +38,7 @@ struct Counted {
 void compare(Claim claim, const ExactMesh& mesh, const Domain& domain, const Options& options,
              Counted& counted) {
   const std::optional<fast::SimplexFacts> known = facts_of(claim, mesh, domain, options);
-  const Verdict slow = judge_domain(claim, mesh, domain, options);
+  const Verdict slow = judge_exactly(claim, mesh, &domain, options);
   const Verdict verdict = judged(claim, mesh, domain, options);
   CHECK(text_of(verdict) == text_of(slow));
   CHECK(verdict.course.fast == known.has_value());
@@ -112,7 +113,7 @@ std::set<Rule> rules(Claim claim, const ExactMesh& mesh, const Domain& domain,
   std::set<Rule> broken;
   const Verdict verdict = judged(claim, mesh, domain, options);
   for (const auto& [rule, tally] : verdict.tallies()) broken.insert(rule);
-  CHECK(text_of(verdict) == text_of(judge_domain(claim, mesh, domain, options)));
+  CHECK(text_of(verdict) == text_of(judge_exactly(claim, mesh, &domain, options)));
   return broken;
 }
 

@@ -13,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
@@ -65,8 +66,6 @@ inline ExactMesh shaken_grid(std::size_t dimension, std::size_t side, bool weigh
   return {PointSet(std::move(points), std::move(weights)), std::move(simplices)};
 }
 
-// ---- Judge ----
-
 namespace {
 
 const PointSet kSquare({{0, 0}, {1, 0}, {0, 1}, {1, 1}});
@@ -74,7 +73,7 @@ const std::vector<Simplex> kTwo = {{0, 1, 2}, {1, 3, 2}};
 
 Verdict judged(Claim claim, const ExactMesh& mesh, const Options& options = {}) {
   Verdict verdict = judge(claim, in_rows(mesh), nullptr, options).value();
-  CHECK(text_of(verdict, mesh) == text_of(judge_points(claim, mesh, options), mesh));
+  CHECK(text_of(verdict, mesh) == text_of(judge_exactly(claim, mesh, nullptr, options), mesh));
   CHECK(verdict.course.fast == verdict.course.why_not_fast.empty());
   return verdict;
 }
@@ -90,7 +89,7 @@ TEST_CASE("grids with many facets that are not locally Delaunay: the words, the 
     for (const Claim claim : {Claim::kDelaunay, Claim::kWeightedDelaunay}) {
       const ExactMesh mesh =
           shaken_grid(dimension, dimension == 2 ? 9 : 5, claim == Claim::kWeightedDelaunay);
-      REQUIRE(triangulation(mesh).holds());
+      REQUIRE(judge_points(Claim::kTriangulation, mesh).holds());
       for (const std::size_t most : {0u, 1u, 20u}) {
         for (const unsigned threads : {1u, 2u}) {
           const Verdict verdict = judged(claim, mesh, {.max_violations = most, .threads = threads});
@@ -104,7 +103,7 @@ TEST_CASE("grids with many facets that are not locally Delaunay: the words, the 
 
 TEST_CASE("one facet that is not locally Delaunay, in the midst of a mesh, by its own numbers") {
   ExactMesh mesh = shaken_grid(3, 5, false, 0);
-  REQUIRE(delaunay(mesh).holds());
+  REQUIRE(judge_points(Claim::kDelaunay, mesh).holds());
   std::vector<Point> points = mesh.points.points();
   points[62][0] += Rational(1) / 1024;  // the middle of the grid
   mesh.points = PointSet(points);

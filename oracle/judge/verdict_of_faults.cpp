@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
@@ -98,8 +97,6 @@ template std::vector<SharedFacet> shared_facets(const fast::MeshView<3, std::int
 template std::vector<SharedFacet> shared_facets(const fast::MeshView<3, std::int64_t>&,
                                                 std::span<const fast::FacetId>);
 
-// ---- Verdict of facts ----
-
 namespace {
 
 template <std::size_t kDimension, typename Index>
@@ -151,8 +148,6 @@ template Verdict verdict_of_facts(Claim, const fast::MeshView<3, std::int32_t>&,
                                   const Options&);
 template Verdict verdict_of_facts(Claim, const fast::MeshView<3, std::int64_t>&, const fast::Facts&,
                                   const Options&);
-
-// ---- Verdict of faults ----
 
 namespace {
 
@@ -302,10 +297,9 @@ class Retold {
     facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
     std::vector<BoundaryFacet> boundary;
     std::vector<Simplex> vertices_of_facets;
-    for (FacetUse& use : uses_of(facets)) {
+    for (const FacetUse& use : uses_of(facets)) {
       vertices_of_facets.push_back(use.facet);
-      boundary.push_back(
-          {std::move(use.facet), mesh_.simplices[use.simplex][use.opposite], use.simplex});
+      boundary.push_back(boundary_facet(mesh_, use));
     }
     std::vector<FacetUse> ridges = facet_uses(vertices_of_facets);
     std::erase_if(ridges, [&](const FacetUse& use) { return !faulty.contains(use.facet); });

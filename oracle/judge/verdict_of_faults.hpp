@@ -23,7 +23,6 @@
 
 namespace circumspect::check {
 
-// ---- Part ----
 // A part of a mesh in arrays, for the exact checkers to say what is wrong with it.
 
 // Some of its simplices, with their vertices and some further points, all in their order. An
@@ -105,7 +104,6 @@ class Part {
   std::vector<Vertex> place_of_;  // of each point of the whole, in the part
 };
 
-// ---- Shared facets ----
 // Facets of a mesh in arrays, as the checkers name them.
 
 // The answer is in no particular order. One pass over the mesh, and time for each facet.
@@ -115,7 +113,6 @@ template <std::size_t kDimension, typename Index>
 std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& mesh,
                                        std::span<const fast::FacetId> facets);
 
-// ---- Verdict of facts ----
 // From what the fast engine knows of a mesh to the verdict that judge_points() gives on it.
 
 // What judge_points() says of the mesh, word for word; the facets that are not locally Delaunay are
@@ -125,8 +122,6 @@ std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& 
 template <std::size_t kDimension, typename Index>
 Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
                          const fast::Facts& facts, const Options& options);
-
-// ---- Verdict of faults ----
 
 // What judge_points() says of the mesh, word for word: the exact checkers look again, in their
 // order, at the places that are at fault, on no more of the mesh than they need. `neighbors`: those

@@ -64,8 +64,9 @@ bool keeps(const Requirement& requirement, const Rational& value);
 // The sign of what was measured minus a bound as above.
 int compare(Measure measure, const Rational& value, const Rational& bound);
 
-// From "min-angle >= 20.7deg", "min-angle:20.7deg", "radius-edge <= sqrt(2)"; numbers are decimals or
-// fractions, and mean exactly what is written. Else one line: what was expected, and what was found.
+// From "min-angle >= 20.7deg", "min-angle:20.7deg", "radius-edge <= sqrt(2)"; numbers are decimals
+// or fractions, and mean exactly what is written. Else one line: what was expected, and what was
+// found.
 tl::expected<Requirement, std::string> read_requirement(std::string_view text);
 
 // From "60deg", up to 180deg.

@@ -1,4 +1,5 @@
-// Sentences of pictures: fields filled in, parts left out, and what stands where a witness lacks a field.
+// Sentences of pictures: fields filled in, parts left out, and what stands where a witness lacks a
+// field.
 #include "oracle/picture/caption.hpp"
 
 #include <set>

@@ -73,7 +73,8 @@ class Cells {
     }
   }
 
-  // Those of its vertices that are points, each once: a repeated one makes a cell of lower dimension.
+  // Those of its vertices that are points, each once: a repeated one makes a cell of lower
+  // dimension.
   std::vector<std::size_t> corners(const Simplex& simplex) {
     std::vector<std::size_t> found;
     for (const Vertex v : simplex) {

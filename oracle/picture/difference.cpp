@@ -76,8 +76,8 @@ class TwoMeshes {
     return mesh;
   }
 
-  // The cells, those together that share a facet, or an edge if they are of different meshes: the triangles of
-  // a square's two diagonals, the cells of a cube.
+  // The cells, those together that share a facet, or an edge if they are of different meshes: the
+  // triangles of a square's two diagonals, the cells of a cube.
   std::vector<std::vector<Cell>> places() const {
     std::map<Simplex, std::vector<std::size_t>> of_face;
     const auto for_each_face = [this](std::size_t cell, const auto& visitor) {

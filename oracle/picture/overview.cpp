@@ -112,7 +112,8 @@ class Frame {
   Spot high_ = {-kNone, -kNone, -kNone};
 };
 
-// Triangles whose corners are those of others that share a cell of a grid, so that there are few enough.
+// Triangles whose corners are those of others that share a cell of a grid, so that there are few
+// enough.
 struct Skin {
   std::vector<Spot> corners = {};
   std::vector<std::array<std::size_t, 3>> triangles = {};

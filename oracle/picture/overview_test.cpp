@@ -31,7 +31,7 @@ ExactMesh grid(long side) {
 }
 
 Json overview_of(const ExactMesh& mesh, std::size_t shown = 20) {
-  return overview(check::triangulation(mesh), in_rows(mesh), nullptr, shown);
+  return overview(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh), nullptr, shown);
 }
 
 TEST_CASE("an overview marks the place of a violation, in the frame of the mesh") {

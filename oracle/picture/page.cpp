@@ -37,8 +37,8 @@ std::string as_html(std::string_view text) {
   return escaped;
 }
 
-// Inside <script>: there "</script" and "<!--" end or change what follows, wherever they stand. In JSON only
-// strings have a "<".
+// Inside <script>: there "</script" and "<!--" end or change what follows, wherever they stand. In
+// JSON only strings have a "<".
 std::string in_script(const Json& document) {
   std::string escaped;
   for (const char c : report::document_text(document, -1)) {

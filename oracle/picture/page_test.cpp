@@ -52,7 +52,8 @@ report::Json data_of(const std::string& page) {
 TEST_CASE("page: names and notes hold no markup, whatever they hold") {
   const ExactMesh mesh = kites(1);
   const std::string hostile = "</script><script>alert(1)</script><!--<img src=x>\n&{{data}}.ele";
-  const std::string page = page_of(mesh, check::triangulation(mesh), hostile, {hostile});
+  const std::string page =
+      page_of(mesh, check::judge_points(Claim::kTriangulation, mesh), hostile, {hostile});
   CHECK(page.find("<script>alert") == std::string::npos);
   CHECK(page.find("<img") == std::string::npos);
   CHECK(count_of(page, "<!--") == count_of(std::string(page_source()), "<!--"));
@@ -74,7 +75,8 @@ TEST_CASE("page: loads nothing, and has the licence of what it is made with") {
 
 TEST_CASE("page: a claim that holds has a line and no card") {
   const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};
-  const report::Json result = data_of(page_of(mesh, check::delaunay(mesh), "t.ele"))["results"][0];
+  const report::Json result =
+      data_of(page_of(mesh, check::judge_points(Claim::kDelaunay, mesh), "t.ele"))["results"][0];
   CHECK(result["line"] == "holds: delaunay t.ele 3 points 1 triangle unique canonical");
   CHECK(result["pictures"].empty());
   CHECK(!result.contains("cards_note"));
@@ -82,7 +84,7 @@ TEST_CASE("page: a claim that holds has a line and no card") {
 
 TEST_CASE("page: of very many violations the first have cards, which the page says") {
   const ExactMesh mesh = kites(150);  // the fourth point of each is unused
-  const Verdict verdict = check::triangulation(mesh, {.max_violations = 0});
+  const Verdict verdict = check::judge_points(Claim::kTriangulation, mesh, {.max_violations = 0});
   REQUIRE(verdict.violations().size() >= 150);
   const std::string page = page_of(mesh, verdict, "k.ele");
   const report::Json result = data_of(page)["results"][0];
@@ -98,7 +100,7 @@ TEST_CASE("page: of very many violations the first have cards, which the page sa
       many.add(Rule::kUnusedPoint, {.vertices = {v}});
   }
   CHECK(page_of(mesh, many, "k.ele").size() < 2'000'000);
-  const Verdict few = check::triangulation(mesh, {.max_violations = 2});
+  const Verdict few = check::judge_points(Claim::kTriangulation, mesh, {.max_violations = 2});
   CHECK(data_of(page_of(mesh, few, "k.ele"))["results"][0]["cards_note"] ==
         "2 of " + std::to_string(verdict.violations().size()) +
             " violations have a card here; --max-errors gives more.");

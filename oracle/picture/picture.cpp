@@ -262,7 +262,8 @@ Json Composer::walls() {
   return found;
 }
 
-// A vector as its direction, whatever its length, and its length in units of its largest coordinate.
+// A vector as its direction, whatever its length, and its length in units of its largest
+// coordinate.
 struct Direction {
   std::array<double, 3> unit = {0, 0, 1};
   Rational largest = 0;
@@ -292,7 +293,8 @@ void Composer::add_ball() {
   const double radius = std::sqrt(squared.get_d());
   const Point from_centre = points_.front() - centre;
   const std::array<double, 3> normal = direction(from_centre).unit;
-  // The distance from the first point to the sphere, without taking the difference of large numbers.
+  // The distance from the first point to the sphere, without taking the difference of large
+  // numbers.
   const Rational distance = squared_length(from_centre) / (scale_ * scale_);
   const double beyond = distance > largest ? 0
                                            : Rational(squared - distance).get_d() /

@@ -35,7 +35,8 @@ ExactMesh kite(const Rational& size = 1, const Point& at = {0, 0}) {
 }
 
 Json picture_of(const ExactMesh& mesh) {
-  const auto all = pictures(check::delaunay(mesh), in_rows(mesh), nullptr, 20);
+  const auto all =
+      pictures(check::judge_points(Claim::kDelaunay, mesh), in_rows(mesh), nullptr, 20);
   REQUIRE(all.size() == 1);
   return all.front();
 }
@@ -86,7 +87,9 @@ TEST_CASE("picture: heights across a thin witness are exact before they are roun
 TEST_CASE("picture: a ball far larger than its simplex has its surface at the simplex") {
   const Rational tiny = power_of_ten(-30);
   const ExactMesh mesh{PointSet({{-1, 0}, {1, 0}, {0, tiny}, {0, -1}}), {{0, 1, 2}, {0, 1, 3}}};
-  const Json ball = pictures(check::delaunay(mesh), in_rows(mesh), nullptr, 20).front()["ball"];
+  const Json ball =
+      pictures(check::judge_points(Claim::kDelaunay, mesh), in_rows(mesh), nullptr, 20)
+          .front()["ball"];
   CHECK(!ball.contains("centre"));
   CHECK(ball["radius"].get<double>() >= 1e12);
   CHECK(std::abs(ball["surface"][0].get<double>()) <= 1);
@@ -96,7 +99,7 @@ TEST_CASE("picture: what cannot be drawn says why") {
   std::vector<Point> points;
   for (int i = 0; i < 6; ++i) points.push_back({i, i * i, i * i * i, i * i * i * i});
   const ExactMesh four{PointSet(points), {{0, 1, 2, 3, 4}}};
-  const auto verdict = check::triangulation(four);
+  const auto verdict = check::judge_points(Claim::kTriangulation, four);
   REQUIRE(!verdict.holds());
   CHECK(pictures(verdict, in_rows(four), nullptr, 20).front()["why_none"] ==
         "The points have 4 coordinates, and a picture shows three. The table has all that the "
@@ -110,7 +113,7 @@ TEST_CASE("picture: what cannot be drawn says why") {
 
 TEST_CASE("picture: an index of no point is not drawn, and no more pictures than wanted are") {
   const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 9}}, {5, 7, 8}, 5};
-  const Verdict verdict = check::triangulation(mesh);
+  const Verdict verdict = check::judge_points(Claim::kTriangulation, mesh);
   REQUIRE(verdict.violations().size() == 2);
   const auto all = pictures(verdict, in_rows(mesh), nullptr, 1);
   REQUIRE(all.size() == 1);
@@ -206,7 +209,7 @@ TEST_CASE("cells: each has its rule, its violation and its role; a centre has a 
 
 TEST_CASE("cells: a verdict that holds gives files without cells") {
   const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};
-  const Verdict verdict = check::delaunay(mesh);
+  const Verdict verdict = check::judge_points(Claim::kDelaunay, mesh);
   CHECK(written(CellFormat::kVtu, verdict, in_rows(mesh)).find("NumberOfCells=\"0\"") !=
         std::string::npos);
   CHECK(written(CellFormat::kGmsh, verdict, in_rows(mesh)).find("$Elements\n0\n$EndElements") !=

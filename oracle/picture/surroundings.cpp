@@ -113,7 +113,8 @@ class Places {
     }
   }
 
-  // Calls `visitor` with the number of each search one of whose places the box of the simplex holds.
+  // Calls `visitor` with the number of each search one of whose places the box of the simplex
+  // holds.
   template <class Visitor>
   void in_box(const Mesh& mesh, const Simplex& simplex, const Visitor& visitor) const {
     if (by_first_.empty() || simplex.empty()) return;

@@ -25,8 +25,8 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
                          const Domain* domain = nullptr);
 
 // Every witness kept, several lines each; for each rule the number of further ones; the worst
-// relative margin; and what may be the cause, a line each. Empty if the claim holds. Exact values that are too long to read are given as
-// decimals; JSON has them in full.
+// relative margin; and what may be the cause, a line each. Empty if the claim holds. Exact values
+// that are too long to read are given as decimals; JSON has them in full.
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain = nullptr);
 
 // "cause: 1 tetrahedron is missing: 4 17 22 9 fills the hole (explains all 4 violations)".
@@ -38,16 +38,17 @@ std::string cause_line(const Cause& cause);
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
                                                     const std::string& mesh_name);
 
-// The text of a note if the claim `complex`, which was not asked, may be what was meant: the mesh does not fill the
-// convex hull of its points, or has flat simplices, which keep the others from being judged.
+// The text of a note if the claim `complex`, which was not asked, may be what was meant: the mesh
+// does not fill the convex hull of its points, or has flat simplices, which keep the others from
+// being judged.
 std::optional<std::string> note_of_claim_complex(const Verdict& verdict,
                                                  const std::string& mesh_name);
 
 // For a note, of the claim `complex`: that more overlap than were counted. None if all were.
 std::optional<std::string> note_of_cut_counts(const Verdict& verdict, const std::string& mesh_name);
 
-// For a note, of the claim `complex`: how many simplices were set apart, and whether the others form a complex. None if
-// none was.
+// For a note, of the claim `complex`: how many simplices were set apart, and whether the others
+// form a complex. None if none was.
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name);
 
 // For a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and

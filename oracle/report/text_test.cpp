@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 
@@ -18,37 +19,38 @@ ExactMesh kite() {
 
 TEST_CASE("verdict line: what holds, with numbers and facts") {
   const ExactMesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
-  CHECK(verdict_line(check::delaunay(square), in_rows(square), "x.1.ele") ==
+  CHECK(verdict_line(check::judge_points(Claim::kDelaunay, square), in_rows(square), "x.1.ele") ==
         "holds: delaunay x.1.ele 4 points 2 triangles not-unique canonical");
   const ExactMesh other{square.points, {{0, 1, 3}, {1, 2, 3}}};
-  CHECK(verdict_line(check::delaunay(other), in_rows(other), "x.1.ele") ==
+  CHECK(verdict_line(check::judge_points(Claim::kDelaunay, other), in_rows(other), "x.1.ele") ==
         "holds: delaunay x.1.ele 4 points 2 triangles not-unique not-canonical");
-  CHECK(verdict_line(check::triangulation(square), in_rows(square), "a b") ==
+  CHECK(verdict_line(check::judge_points(Claim::kTriangulation, square), in_rows(square), "a b") ==
         "holds: triangulation a b 4 points 2 triangles");
   const ExactMesh none{PointSet({}), {}};
-  CHECK(verdict_line(check::delaunay(none), in_rows(none), "-") ==
+  CHECK(verdict_line(check::judge_points(Claim::kDelaunay, none), in_rows(none), "-") ==
         "holds: delaunay - 0 points 0 simplices unique canonical");
   const ExactMesh point{PointSet({{0, 0, 0}}), {{0}}};
-  CHECK(verdict_line(check::delaunay(point), in_rows(point), "p") ==
+  CHECK(verdict_line(check::judge_points(Claim::kDelaunay, point), in_rows(point), "p") ==
         "holds: delaunay p 1 point 1 vertex unique canonical");
 }
 
 TEST_CASE("verdict line: what fails, with the first rule's first witness in the user's indices") {
   const ExactMesh mesh = kite();
-  CHECK(verdict_line(check::delaunay(mesh), in_rows(mesh), "k.ele") ==
+  CHECK(verdict_line(check::judge_points(Claim::kDelaunay, mesh), in_rows(mesh), "k.ele") ==
         "fails: delaunay k.ele delaunay.facet-not-local 1 face 1 2 vertex 4");
-  CHECK(
-      verdict_line(check::delaunay(mesh, {.by = check::By::kDefinition}), in_rows(mesh), "k.ele") ==
-      "fails: delaunay k.ele delaunay.vertex-in-ball 2 simplex 1 2 3 vertex 4");
+  CHECK(verdict_line(
+            check::judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = check::By::kDefinition}),
+            in_rows(mesh),
+            "k.ele") == "fails: delaunay k.ele delaunay.vertex-in-ball 2 simplex 1 2 3 vertex 4");
   ExactMesh broken = kite();
   broken.simplices = {{0, 1, 1}, {0, 1, 77}, {0, 3}};
-  CHECK(verdict_line(check::triangulation(broken), in_rows(broken), "b") ==
+  CHECK(verdict_line(check::judge_points(Claim::kTriangulation, broken), in_rows(broken), "b") ==
         "fails: triangulation b triangulation.unknown-vertex 1 simplex 1 2 78 vertex 78 also "
         "simplex.wrong-dimension 1 also simplex.repeated-vertex 1 also triangulation.unused-point "
         "1");
   broken.labels = {10, 20, 30, 40};  // after duplicates were merged
   broken.simplices = {{0, 1, 1}};
-  CHECK(verdict_line(check::triangulation(broken), in_rows(broken), "b") ==
+  CHECK(verdict_line(check::judge_points(Claim::kTriangulation, broken), in_rows(broken), "b") ==
         "fails: triangulation b simplex.repeated-vertex 1 simplex 10 20 20 vertex 20 also "
         "triangulation.unused-point 2");
 }
@@ -66,24 +68,24 @@ TEST_CASE("note: what does not fill its hull may be a mesh of a domain") {
   const auto note = [](const Verdict& verdict, const ExactMesh& mesh) {
     return note_of_domain_not_given(verdict, in_rows(mesh), "m.msh").value_or("none");
   };
-  CHECK(note(check::triangulation(dented), dented) ==
+  CHECK(note(check::judge_points(Claim::kTriangulation, dented), dented) ==
         "m.msh: a triangulation of points fills their convex hull, and this mesh does not. A mesh "
         "of a domain, which need not be convex, is judged with --domain FILE: what its mesher was "
         "given");
-  CHECK(note(check::weighted_delaunay(dented), dented) == "none");
-  CHECK(note(check::delaunay(kite()), kite()) == "none");
+  CHECK(note(check::judge_points(Claim::kWeightedDelaunay, dented), dented) == "none");
+  CHECK(note(check::judge_points(Claim::kDelaunay, kite()), kite()) == "none");
   const ExactMesh line{PointSet({{0}, {1}, {2}}), {{0, 1}}};
-  CHECK(note(check::triangulation(line), line) == "none");
+  CHECK(note(check::judge_points(Claim::kTriangulation, line), line) == "none");
 }
 
 TEST_CASE("explanation: nothing of a claim that holds") {
   const ExactMesh mesh = kite();
-  CHECK(explanation(check::triangulation(mesh), in_rows(mesh)).empty());
+  CHECK(explanation(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh)).empty());
 }
 
 TEST_CASE("explanation: a facet that is not locally Delaunay, with its ball") {
   const ExactMesh mesh = kite();
-  CHECK(explanation(check::delaunay(mesh), in_rows(mesh)) ==
+  CHECK(explanation(check::judge_points(Claim::kDelaunay, mesh), in_rows(mesh)) ==
         "delaunay.facet-not-local: a facet is not locally Delaunay: the apex on one side lies "
         "strictly inside the circumball on the other\n"
         "  simplex  1 2 3\n"
@@ -101,7 +103,8 @@ TEST_CASE("explanation: a ball of heavy points has no radius") {
   const ExactMesh light = kite();
   const ExactMesh heavy{
       PointSet(light.points.points(), {100, 100, 100, 100}), light.simplices, {}, 1};
-  const std::string text = explanation(check::weighted_delaunay(heavy), in_rows(heavy));
+  const std::string text =
+      explanation(check::judge_points(Claim::kWeightedDelaunay, heavy), in_rows(heavy));
   CHECK(text.find("squared radius -375/4") != std::string::npos);
   CHECK(text.find("radius ~") == std::string::npos);
 }
@@ -110,28 +113,28 @@ TEST_CASE("explanation: an overlap, with a common point; an unused point; what w
   const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {3, 3}, {9, 9}, {8, 9}}),
                        {{0, 1, 2}, {0, 1, 3}}};
   const std::string unused = "triangulation.unused-point: a point is a vertex of no simplex\n";
-  CHECK(explanation(check::triangulation(mesh), in_rows(mesh)) ==
+  CHECK(explanation(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh)) ==
         unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" + unused +
             "  vertex   5 at (8, 9)\n  point    (8, 9)\n" +
             "complex.overlap: two simplices meet in more than a common face\n"
             "  simplex  0 1 2\n"
             "  simplex  0 1 3\n"
             "  point    (1, 1)\n");
-  CHECK(explanation(check::triangulation(mesh, {.max_violations = 1}), in_rows(mesh)) ==
-        unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" +
-            "… and 2 more (--max-errors 0 shows all)\n");
+  CHECK(explanation(check::judge_points(Claim::kTriangulation, mesh, {.max_violations = 1}),
+                    in_rows(mesh)) == unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" +
+                                          "… and 2 more (--max-errors 0 shows all)\n");
 }
 
 TEST_CASE("explanation: an index without a point has no place; the empty face is named") {
   const ExactMesh unknown{PointSet({{0}, {1}, {2}}), {{0, 1}, {1, 5}}, {}, 1};
-  CHECK(explanation(check::triangulation(unknown), in_rows(unknown)) ==
+  CHECK(explanation(check::judge_points(Claim::kTriangulation, unknown), in_rows(unknown)) ==
         "triangulation.unknown-vertex: a simplex has an index that names no point\n"
         "  simplex  2 6\n"
         "  vertex   6\n"
         "triangulation.unused-point: a point is a vertex of no simplex\n"
         "  vertex   3 at (2)\n  point    (2)\n");
   const ExactMesh gap{PointSet({{0}, {1}, {2}, {3}}), {{0, 1}, {2, 3}}};
-  CHECK(explanation(check::triangulation(gap), in_rows(gap)) ==
+  CHECK(explanation(check::judge_points(Claim::kTriangulation, gap), in_rows(gap)) ==
         "triangulation.hull-not-closed: a ridge of the boundary is not shared by exactly two "
         "boundary facets\n"
         "  simplex  0\n"
@@ -145,7 +148,8 @@ TEST_CASE("explanation: a number too long to read is given by its decimal") {
   Rational long_number(1);
   for (int i = 0; i < 20; ++i) long_number = long_number / 12345 + 1;
   const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {long_number, 5}}), {{0, 1, 2}}};
-  const std::string text = explanation(check::triangulation(mesh), in_rows(mesh));
+  const std::string text =
+      explanation(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh));
   CHECK(text.find("  vertex   3 at (~ 1.0000810110174985, 5)") != std::string::npos);
   for (std::size_t line = 0; line < text.size();) {
     const std::size_t end = text.find('\n', line);
@@ -232,12 +236,13 @@ ExactMesh kite_from_1() {
 
 TEST_CASE("json: a claim that holds") {
   const ExactMesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
-  CHECK(verdict(check::delaunay(square), in_rows(square), "s.ele", By::kLemma).dump() ==
+  CHECK(verdict(check::judge_points(Claim::kDelaunay, square), in_rows(square), "s.ele", By::kLemma)
+            .dump() ==
         R"({"mesh":"s.ele","claim":"delaunay","by":"lemma","verdict":"holds","points":4,)"
         R"("simplices":2,"dimension":2,"unique":false,"canonical":true,"rules":[],)"
         R"("violations":[]})");
-  const Json triangulation =
-      verdict(check::triangulation(square), in_rows(square), "s.ele", By::kDefinition);
+  const Json triangulation = verdict(check::judge_points(Claim::kTriangulation, square),
+                                     in_rows(square), "s.ele", By::kDefinition);
   CHECK(triangulation["claim"] == "triangulation");
   CHECK(triangulation["by"] == "definition");
   CHECK(!triangulation.contains("unique"));
@@ -245,8 +250,8 @@ TEST_CASE("json: a claim that holds") {
 }
 
 TEST_CASE("json: a claim that fails, word for word") {
-  const Json document =
-      verdict(check::delaunay(kite_from_1()), in_rows(kite_from_1()), "k.ele", By::kLemma);
+  const Json document = verdict(check::judge_points(Claim::kDelaunay, kite_from_1()),
+                                in_rows(kite_from_1()), "k.ele", By::kLemma);
   CHECK(document.dump() ==
         R"({"mesh":"k.ele","claim":"delaunay","by":"lemma","verdict":"fails","points":4,)"
         R"("simplices":2,"dimension":2,"rules":[{"rule":"delaunay.facet-not-local","count":1,)"
@@ -268,7 +273,8 @@ TEST_CASE("json: an orthoball of negative squared radius has no radius") {
 
 TEST_CASE("json: labels after a merge; an index without a point has no coordinates") {
   ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 9}}, {5, 7, 8}, 5};
-  const Json document = verdict(check::triangulation(mesh), in_rows(mesh), "m", By::kLemma);
+  const Json document =
+      verdict(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh), "m", By::kLemma);
   const Json& unknown = document["violations"][0];
   CHECK(unknown["simplices"].dump() == "[[5,7,14]]");
   CHECK(unknown["vertices"].dump() == "[14]");
@@ -324,7 +330,9 @@ TEST_CASE("json: that a point lies in a ball is re-checked from the document alo
       1};
   for (const By by : {By::kLemma, By::kDefinition}) {
     const std::string text =
-        verdict(check::delaunay(mesh, {.by = by}), in_rows(mesh), "t.ele", by).dump();
+        verdict(check::judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = by}), in_rows(mesh),
+                "t.ele", by)
+            .dump();
     const Json document = Json::parse(text);
     REQUIRE(document["violations"].size() == (by == By::kLemma ? 1U : 2U));
     for (const Json& violation : document["violations"]) recheck_ball(violation);
@@ -333,8 +341,9 @@ TEST_CASE("json: that a point lies in a ball is re-checked from the document alo
 
 TEST_CASE("json: that a point lies in two triangles is re-checked from the document alone") {
   const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {2, 3}}), {{0, 1, 2}, {0, 1, 3}}};
-  const Json document =
-      Json::parse(verdict(check::triangulation(mesh), in_rows(mesh), "o", By::kLemma).dump());
+  const Json document = Json::parse(
+      verdict(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh), "o", By::kLemma)
+          .dump());
   REQUIRE(document["violations"].size() == 1);
   const Json& violation = document["violations"][0];
   CHECK(violation["rule"] == "complex.overlap");
@@ -349,8 +358,9 @@ TEST_CASE("json: that a point lies in two triangles is re-checked from the docum
 
 TEST_CASE("json: that a vertex lies beyond a hull facet is re-checked from the document alone") {
   const ExactMesh mesh{PointSet({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), {{0, 1, 2}, {0, 2, 3}}};
-  const Json document =
-      Json::parse(verdict(check::triangulation(mesh), in_rows(mesh), "n", By::kLemma).dump());
+  const Json document = Json::parse(
+      verdict(check::judge_points(Claim::kTriangulation, mesh), in_rows(mesh), "n", By::kLemma)
+          .dump());
   REQUIRE(document["violations"].size() == 1);
   const Json& violation = document["violations"][0];
   const Point a = place(violation, violation["face"][0]);

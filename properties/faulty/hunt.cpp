@@ -13,7 +13,7 @@
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
-#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/faulty/plain_predicates.hpp"
 
 namespace circumspect::faulty {
@@ -56,8 +56,8 @@ std::string broken_rule(const Fault& fault, const PointsCase& set, check::By by)
   } catch (const std::exception& error) {
     return std::string("crash: ") + error.what();
   }
-  return rule_of(check::judge_points(fault.claim, mesh,
-                                     {.by = by, .oriented = fault.oriented, .max_violations = 1}));
+  return rule_of(check::judge_exactly(fault.claim, mesh, nullptr,
+                                      {.by = by, .oriented = fault.oriented, .max_violations = 1}));
 }
 
 std::string broken_rule(const Fault& fault, const ComplexCase& domain, check::By by) {
@@ -65,8 +65,8 @@ std::string broken_rule(const Fault& fault, const ComplexCase& domain, check::By
   if (!complex) return "";
   const std::optional<ExactMesh> mesh = fault.mesh(domain.input);
   if (!mesh) return "";
-  return rule_of(
-      check::judge_domain(fault.claim, *mesh, {*complex}, {.by = by, .max_violations = 1}));
+  const Domain about{*complex};
+  return rule_of(check::judge_exactly(fault.claim, *mesh, &about, {.by = by, .max_violations = 1}));
 }
 
 std::size_t size_of(const PointsCase& set) { return set.points.size(); }

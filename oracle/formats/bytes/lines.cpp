@@ -180,8 +180,6 @@ Status Lines::check_numbers(std::size_t first, std::size_t count, NumberReading 
   return {};
 }
 
-// ---- Rows ----
-
 namespace {
 
 template <class Value, class ToText>
@@ -203,8 +201,6 @@ std::string joined(const std::vector<Rational>& numbers) {
 std::string joined(const std::vector<Vertex>& indices) {
   return join(indices, [](Vertex v) { return std::to_string(v); });
 }
-
-// ---- Numbered lines ----
 
 NumberedLines::NumberedLines(const Source& source, std::string one, std::string many)
     : lines_(source), one_(std::move(one)), many_(std::move(many)) {}

@@ -21,8 +21,6 @@
 
 namespace circumspect::formats {
 
-// ---- Lines ----
-
 // Is the token this word, in letters of any case? Requires: the word is in small letters.
 bool is_word(std::string_view token, std::string_view word);
 
@@ -44,7 +42,8 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
 // Walks over the lines that have tokens on them. Blanks separate tokens, '#' starts a comment, a
 // carriage return is a blank, the last line needs no end, a byte order mark is skipped. All other
 // bytes belong to tokens. `end`: the character that ends a line; if that is a carriage return, it
-// is not a blank. `comment`: what starts a comment instead of '#'. Requires: the source outlives this object and the tokens.
+// is not a blank. `comment`: what starts a comment instead of '#'. Requires: the source outlives
+// this object and the tokens.
 class Lines {
  public:
   explicit Lines(const Source& source, char end = '\n', char comment = '#');
@@ -96,17 +95,13 @@ class Lines {
   std::vector<std::string_view> tokens_;
 };
 
-// ---- Rows ----
-
 // Writes rows separated by blanks; reading the numbers as doubles gives the same numbers.
 std::string joined(const std::vector<Rational>& numbers);
 std::string joined(const std::vector<Vertex>& indices);
 
-// ---- Numbered lines ----
 // The form that the files of Triangle and TetGen share: a header that begins with a count, then
 // that many lines, each beginning with its index. Indices go up by one from whatever the first is.
 // Some files hold several such lists.
-
 class NumberedLines {
  public:
   // `one` and `many` name the content of a line: "point", "points". Requires: as for Lines.

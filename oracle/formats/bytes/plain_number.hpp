@@ -52,9 +52,10 @@ inline const char* read_plain_integer(const char* at, const char* end, std::int6
   return at == first ? nullptr : at;
 }
 
-// A decimal: [-]digits[.digits][e[+-]digits], one of the two runs of digits perhaps empty. Its value
-// is the nearest double, as from strtod, but 0 for −0. Returns its end; null if there is none, also
-// for numbers that overflow or underflow. ("inf" and "nan", which from_chars reads, are none.)
+// A decimal: [-]digits[.digits][e[+-]digits], one of the two runs of digits perhaps empty. Its
+// value is the nearest double, as from strtod, but 0 for −0. Returns its end; null if there is
+// none, also for numbers that overflow or underflow. ("inf" and "nan", which from_chars reads, are
+// none.)
 inline const char* read_plain_decimal(const char* at, const char* end, double& value) {
   const auto [stop, error] = std::from_chars(at, end, value);
   if (error != std::errc() || !std::isfinite(value)) return nullptr;

@@ -36,8 +36,6 @@ std::string shortened(std::string_view bytes) {
   return std::string(bytes.substr(0, kLongestQuote)) + (bytes.size() > kLongestQuote ? "..." : "");
 }
 
-// ---- Source ----
-
 namespace {
 
 // An open file that closes itself; standard input stays open.
@@ -131,8 +129,6 @@ bool is_regular(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
-
-// ---- Random access ----
 
 std::optional<RandomAccess> RandomAccess::open(const std::string& path) {
   // Asked before opening, since to open a device can already have an effect.

@@ -11,8 +11,6 @@
 
 namespace circumspect::formats {
 
-// ---- Format error ----
-
 struct FormatError {
   std::string file;
   std::size_t line = 0;  // from 1; 0: the file as a whole
@@ -37,9 +35,7 @@ std::string quote(std::string_view bytes);
 // left for FormatError to escape.
 std::string shortened(std::string_view bytes);
 
-// ---- Source ----
 // The text of a file, and the name under which messages speak of it.
-
 struct Source {
   std::string name;
   std::string text;
@@ -58,7 +54,6 @@ bool is_folder(const std::string& path);
 // Is it a regular file, and not a pipe, device or folder?
 bool is_regular(const std::string& path);
 
-// ---- Random access ----
 // Access to the bytes of a file at any place, so that several threads can read one file at once.
 
 // A regular file, or a text in memory. Bytes are copied, not mapped: if another program truncates

@@ -9,7 +9,7 @@
 #include <circumspect/check.hpp>
 
 #include "kernel/predicates/orientation.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::arrays {
@@ -89,7 +89,7 @@ inline bool has_sound_simplex(const ExactMesh& mesh) {
 inline std::string difference_from_slow(Claim claim, const ExactMesh& labelled,
                                         const MeshJudgement& judgement) {
   const ExactMesh mesh = without_labels(labelled);
-  const Verdict verdict = check::judge_points(claim, mesh);
+  const Verdict verdict = check::judge_exactly(claim, mesh);
   const std::string explanation =
       verdict.holds() ? "" : report::explanation(verdict, in_rows(mesh));
   if (judgement.holds != verdict.holds()) return "holds";

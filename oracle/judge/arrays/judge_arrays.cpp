@@ -53,8 +53,6 @@ Judgement judge(const std::string& claim, const PointArray& points, const Simple
   return {false, std::string(identifier(rule)), report::explanation(verdict, mesh)};
 }
 
-// ---- Judge arrays ----
-
 namespace {
 
 void require(bool agrees, const std::string& expected, std::size_t found) {

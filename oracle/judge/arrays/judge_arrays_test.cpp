@@ -125,7 +125,6 @@ TEST_CASE("arrays whose lengths do not agree are refused, and numbers that are n
   CHECK_THROWS_AS(judge("cdt", fan()), std::invalid_argument);
 }
 
-// ---- Judge ----
 // What is judged in memory, and what is refused.
 
 // A square and its centre.

@@ -10,13 +10,11 @@
 
 namespace circumspect::arrays {
 
-// ---- Claims by name ----
 // Claims by their names.
 
 // One of the claims that need no domain. Throws std::invalid_argument for any other name.
 Claim claim_named(const std::string& claim);
 
-// ---- Meshes of arrays ----
 // From arrays to a mesh that can be judged.
 
 // The mesh of these points, in the memory of their array, which has to outlive it, with weights if

@@ -47,7 +47,8 @@ class BrokenAt {
   std::vector<Simplex> cells_ = {};
 };
 
-// What it explains of a claim that says what is covered, of the violations whose witnesses are kept.
+// What it explains of a claim that says what is covered, of the violations whose witnesses are
+// kept.
 Cause of_listed(Case& of, std::string name, std::string words, Rule rule) {
   const BrokenAt broken(*of.as_complex(), rule);
   Cause cause{std::move(name), std::move(words), 0, of.verdict().violations().size(), true};

@@ -13,8 +13,8 @@ struct BareFacet {
   Vertex apex;    // of the simplex
 };
 
-// In order of their vertices. None if the mesh has not rows of d + 1 points each, in the plane or in
-// space.
+// In order of their vertices. None if the mesh has not rows of d + 1 points each, in the plane or
+// in space.
 std::vector<BareFacet> bare_facets(const Mesh& mesh);
 
 // The sign of the determinant of d + 1 points of a mesh in the plane or in space, exactly: by the

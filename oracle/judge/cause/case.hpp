@@ -31,8 +31,8 @@ class Case {
     std::size_t explains = 0;  // violations of rules that were broken, and now are less often
     std::size_t left = 0;      // violations, of any rule
   };
-  // Only one mended mesh is judged for a case, since that takes as long as judging the mesh; nothing
-  // for any other, and if it cannot be judged.
+  // Only one mended mesh is judged for a case, since that takes as long as judging the mesh;
+  // nothing for any other, and if it cannot be judged.
   std::optional<Mended> mended(const Mesh& mesh);
 
   // What the claim `complex` says of the mesh; null if it has more simplices than are tried.

@@ -49,7 +49,8 @@ class Star {
 
   std::size_t size() const { return facets_.size(); }
 
-  // A place for the vertex at which its simplices fit to those across: the middle of its neighbours.
+  // A place for the vertex at which its simplices fit to those across: the middle of its
+  // neighbours.
   // Nothing if they do not fit there, or do already.
   std::optional<Point> better_place() const {
     if (facets_.empty() || size() > kMostInStar || across_.empty()) return std::nullopt;

@@ -53,8 +53,8 @@ class SeenFromInside {
     return held;
   }
 
-  // The simplices that join o to the facets: once the first four conditions hold, they triangulate a
-  // convex set. The interface that PointSearch asks for; o is their last vertex.
+  // The simplices that join o to the facets: once the first four conditions hold, they triangulate
+  // a convex set. The interface that PointSearch asks for; o is their last vertex.
   std::size_t size() const { return facets_.size(); }
   std::size_t row_size() const { return facets_.front().size() + 1; }
   std::size_t points() const { return points_.size(); }

@@ -34,7 +34,8 @@ std::vector<Point> spanning_directions(const std::vector<Point>& normals, std::s
 std::vector<Point> directions_of(const VoronoiDiagram& diagram, Vertex site);
 
 // The corners of the listed cell within the box: one halfspace after the other keeps what is in it,
-// and the points where its boundary cuts a segment or a ray between two, less what others combine to.
+// and the points where its boundary cuts a segment or a ray between two, less what others combine
+// to.
 // Requires: every corner names a vertex.
 std::vector<Point> listed_corners(const VoronoiDiagram& diagram, Vertex site, const JudgedBox& box);
 

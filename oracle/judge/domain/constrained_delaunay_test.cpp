@@ -4,11 +4,10 @@
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/domain/empty_circumball.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/domain/vertex_index.hpp"
 
 namespace circumspect::check {
-
-// ---- Constrained Delaunay ----
 
 namespace {
 
@@ -128,9 +127,9 @@ TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
     ExactMesh mesh{PointSet(input.points), {}};
     mesh.faces = {{0, 1}};
     for (const By by : {By::kLemma, By::kDefinition}) {
-      CHECK(broken(Claim::kCdt, mesh, domain_of(input), by).empty());
-      const Verdict verdict =
-          judge_domain(Claim::kConformingDelaunay, mesh, domain_of(input), {.by = by});
+      const Domain domain = domain_of(input);
+      CHECK(broken(Claim::kCdt, mesh, domain, by).empty());
+      const Verdict verdict = judge_exactly(Claim::kConformingDelaunay, mesh, &domain, {.by = by});
       REQUIRE(verdict.violations().size() == 1);
       CHECK(verdict.violations()[0].rule == Rule::kNoEmptyBall);
       CHECK(verdict.violations()[0].witness.vertices.size() == (in_space ? 3u : 2u));
@@ -204,7 +203,6 @@ TEST_CASE("conforming Delaunay: a grid is, and polygons are not exempt") {
         std::set{Rule::kVertexInBall});
 }
 
-// ---- Planar domain ----
 // Domains in the plane: segments are the walls.
 
 PiecewiseLinearInput square(int low, int high) { return cuboid({low, low}, {high, high}); }
@@ -325,7 +323,9 @@ TEST_CASE("the vertex nearest to what is missing, exactly") {
   points[2] = {2, 2 + tiny};
   const ExactMesh off{PointSet(points), {{0, 1, 2}, {0, 2, 3}}};
   const auto first = [](const ExactMesh& mesh, const Domain& domain, By by) {
-    return judge_domain(Claim::kSteinerTriangulation, mesh, domain, {.by = by}).violations().at(0);
+    return judge_exactly(Claim::kSteinerTriangulation, mesh, &domain, {.by = by})
+        .violations()
+        .at(0);
   };
   for (const By by : {By::kLemma, By::kDefinition}) {
     const Violation violation = first(off, domain_of(square(0, 2)), by);

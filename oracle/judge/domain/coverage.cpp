@@ -6,6 +6,7 @@
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/loose_facets.hpp"
 #include "oracle/judge/domain/outside_simplices.hpp"
+#include "oracle/judge/points/triangulation.hpp"
 
 namespace circumspect::check {
 
@@ -21,9 +22,8 @@ Witness bare_side(const WallPiece& piece, std::size_t side) {
 std::array<std::size_t, 2> simplices_at(const MeshedDomain& in, std::span<const FacetUse> group) {
   std::array<std::size_t, 2> simplices = {kNowhere, kNowhere};
   for (const FacetUse& use : group) {
-    Simplex with_apex = use.facet;
-    with_apex.push_back(in.mesh.simplices[use.simplex][use.opposite]);
-    simplices[side_index(orientation(in.mesh.points.configuration(), with_apex))] = use.simplex;
+    const Simplex joined = with_apex(use.facet, in.mesh.simplices[use.simplex][use.opposite]);
+    simplices[side_index(orientation(in.mesh.points.configuration(), joined))] = use.simplex;
   }
   return simplices;
 }

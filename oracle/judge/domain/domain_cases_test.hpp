@@ -16,13 +16,13 @@
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
-// ---- Verdict text ----
 // All that a verdict says, as text, so that two can be compared in a test. What people read is made
 // of the same.
 
@@ -91,7 +91,6 @@ inline std::string text_of(const Verdict& verdict) {
   return out.str();
 }
 
-// ---- Exact facts ----
 // What is known of the simplices of a mesh, by exact numbers and by looking at everything: what a
 // faster judge has to find, for tests.
 
@@ -143,8 +142,6 @@ inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMes
   return known;
 }
 
-// ---- Domain cases ----
-
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
 
 // The verdict by lemma: the same word for word whether anything is known of the simplices or not.
@@ -159,13 +156,13 @@ inline std::set<Rule> broken(Claim claim, const ExactMesh& mesh, const Domain& d
                              By by = By::kLemma) {
   std::set<Rule> rules;
   const Verdict verdict = by == By::kLemma ? verdict_by_lemma(claim, mesh, domain)
-                                           : judge_domain(claim, mesh, domain, {.by = by});
+                                           : judge_exactly(claim, mesh, &domain, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
   return rules;
 }
 
 inline bool holds(Claim claim, const ExactMesh& mesh, const Domain& domain, By by) {
-  return judge_domain(claim, mesh, domain, {.by = by}).holds();
+  return judge_exactly(claim, mesh, &domain, {.by = by}).holds();
 }
 
 // The rules broken by lemma, where by definition the claim fails too.

@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/domain/conforming_delaunay.hpp"
 #include "oracle/judge/domain/constrained_delaunay.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
@@ -25,11 +24,7 @@ bool allows_steiner_points(Claim claim) {
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
                      const Options& options, const fast::SimplexFacts* known) {
   assert(is_about_a_domain(claim) && !mesh.points.is_weighted());
-  if (options.by == By::kDefinition) {
-    Verdict verdict = definition::judge(claim, mesh, domain.complex, options.max_violations);
-    judge_beside_definition(mesh, options, verdict);
-    return verdict;
-  }
+  assert(options.by == By::kLemma);
   Verdict verdict(claim, mesh, options.max_violations);
   const auto then = [&](const MeshedDomain& in, const std::vector<WallPiece>& pieces) {
     if (is_constrained(claim)) judge_constrained_delaunay_by_lemma(in, pieces, verdict);

@@ -1,10 +1,10 @@
-// Judges a mesh of a domain: the claims of Section 4.5, each in two ways.
+// Judges a mesh of a domain, by lemma: the claims of Section 4.5.
 #pragma once
 
 #include "oracle/judge/fast/simplex_facts.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -20,8 +20,8 @@ namespace circumspect::check {
 // proves that they suffice.
 // `known`: what is known of the mesh's simplices, if anything; the verdict is the same with and
 // without. oracle/judge/judge.hpp finds it out.
-// Requires: a claim about a domain; a valid domain (see validity.hpp) in the plane or in space; a
-// mesh without weights that has no points, or points of the domain's dimension.
+// Requires: a claim about a domain, by lemma; a valid domain (see validity.hpp) in the plane or in
+// space; a mesh without weights that has no points, or points of the domain's dimension.
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
                      const Options& options = {}, const fast::SimplexFacts* known = nullptr);
 

@@ -94,7 +94,7 @@ class LooseFacets {
 
   // Is the simplex of one facet on the other side of another facet, in the same hyperplane?
   bool is_beyond(const FacetUse& part, const FacetUse& whole) const {
-    const BoundaryFacet facet{whole.facet, apex(whole), whole.simplex};
+    const BoundaryFacet facet = boundary_facet(in_.mesh, whole);
     return side_of(in_.mesh.points.configuration(), facet, apex(part)) < 0;
   }
 

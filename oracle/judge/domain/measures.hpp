@@ -11,15 +11,12 @@
 
 namespace circumspect::check {
 
-// ---- Coplanar ----
-
 // Is the vertex in the plane of the triangle? Requires: points of space; three vertices that span a
 // plane.
 inline bool is_coplanar(const Configuration& points, const Simplex& triangle, Vertex v) {
   return orientation(points, kSpace, std::array{triangle[0], triangle[1], triangle[2], v}) == 0;
 }
 
-// ---- Measures ----
 // Lengths, areas and volumes, exact. All are k! times the measure of a projection on k axes, so
 // that within one line, plane or space they can be added and compared.
 

@@ -3,13 +3,14 @@
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 
 namespace circumspect::check {
 namespace {
 
 std::size_t outside(const ExactMesh& mesh, const Domain& domain, By by) {
   const Verdict verdict =
-      judge_domain(Claim::kSteinerTriangulation, mesh, domain, {.by = by, .max_violations = 0});
+      judge_exactly(Claim::kSteinerTriangulation, mesh, &domain, {.by = by, .max_violations = 0});
   const auto tally = verdict.tallies().find(Rule::kOutside);
   if (tally == verdict.tallies().end()) return 0;
   std::set<Simplex> named;

@@ -7,7 +7,6 @@
 #include "oracle/judge/domain/plc_triangulation.hpp"
 #include "oracle/judge/domain/polygon_tiling.hpp"
 #include "oracle/judge/domain/segments.hpp"
-#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 

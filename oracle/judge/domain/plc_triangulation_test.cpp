@@ -4,6 +4,7 @@
 #include "inputs/named_complexes.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -356,7 +357,7 @@ TEST_CASE("a stray listed face: what it meets is named, with a point of both") {
 
 TEST_CASE("what dangles is counted: triangles and edges that are faces of nothing larger") {
   const auto dangling = [](const ExactMesh& mesh, const Domain& domain, By by) {
-    const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, domain, {.by = by});
+    const Verdict verdict = judge_exactly(Claim::kPlcTriangulation, mesh, &domain, {.by = by});
     CHECK(verdict.holds());
     return verdict.dangling;
   };

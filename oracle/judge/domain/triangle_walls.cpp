@@ -15,8 +15,6 @@
 
 namespace circumspect::check {
 
-// ---- Validity ----
-
 namespace {
 
 using Corners = std::array<std::int32_t, 3>;
@@ -116,8 +114,6 @@ tl::expected<PiecewiseLinearComplex, std::vector<Breach>> validated_domain(
   if (auto complex = complex_of_triangles(input)) return *std::move(complex);
   return validated(input, limit, watch);
 }
-
-// ---- Meshes that have every wall for facets ----
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/fast/triangle_complex.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -139,8 +140,6 @@ TEST_CASE("triangles that all share a vertex are too many to hold against each o
   CHECK(are_surely_a_complex(fan));
 }
 
-// ---- Meshes that hold ----
-
 // The domain whose polygons are some facets of a mesh.
 Domain domain_of_facets(const ExactMesh& mesh, const std::function<bool(std::size_t)>& takes) {
   PiecewiseLinearInput input;
@@ -180,7 +179,7 @@ bool is_seen(Claim claim, const ExactMesh& mesh, const Domain& domain,
   if (!verdict) return false;
   Options options;
   options.max_violations = max_violations;
-  CHECK(text_of(*verdict) == text_of(judge_domain(claim, mesh, domain, options)));
+  CHECK(text_of(*verdict) == text_of(judge_exactly(claim, mesh, &domain, options)));
   CHECK(verdict->holds());
   return true;
 }

@@ -20,8 +20,6 @@
 
 namespace circumspect::fast {
 
-// ---- Hinge ----
-
 // Are two boundary facets at a ridge neither at a reflex angle nor folded? Each is given as a row
 // of its simplex: the vertices of the ridge, in the same order for both, then the facet's vertex
 // off the ridge, then the simplex's vertex off the facet. Requires: no row is flat.
@@ -45,8 +43,6 @@ bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimensio
              2, [&] { return side(a, b); }, [&] { return side(b, a); }, are_folded) ==
          conditions::AtRidge::kGood;
 }
-
-// ---- Boundary ----
 
 template <std::size_t kDimension, typename Index, typename Link>
 class Boundary {

@@ -18,11 +18,9 @@
 
 namespace circumspect::fast {
 
-// ---- Large array ----
 // Memory for large arrays. It is not initialized, so that the threads that write it touch it first,
 // and in large pages if the system offers them: writes all over an array then cause fewer TLB
 // misses and fewer page faults.
-
 struct Unmapped {
   std::size_t bytes = 0;
 
@@ -54,8 +52,6 @@ LargeArray<T> large_array(std::size_t count) {
 #endif
   return LargeArray<T>(static_cast<T*>(mapped), Unmapped{bytes});
 }
-
-// ---- Facet matching ----
 
 // Links that own their memory.
 struct OwnedLinks {

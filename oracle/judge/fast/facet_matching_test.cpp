@@ -15,7 +15,6 @@
 
 namespace circumspect::fast {
 
-// ---- Facet matching ----
 // Facets are matched as a dictionary matches them.
 
 namespace {
@@ -170,7 +169,6 @@ TEST_CASE("a facet of three simplices, and an index that names no point, are see
   }
 }
 
-// ---- Facet across ----
 // Rows of two simplices with a common facet, in every order.
 
 template <std::size_t kVertices>

@@ -13,7 +13,6 @@
 
 namespace circumspect::fast {
 
-// ---- Facet records ----
 // The facets of a mesh as words of 64 bits, put into piles small enough for a cache.
 
 inline int bits_of(std::uint64_t number) { return static_cast<int>(std::bit_width(number)); }
@@ -59,7 +58,6 @@ template <std::size_t kVertices, typename Index, typename Visit>
   for (std::size_t i = 0; i < kVertices; ++i) visit(sum - mixed[i], i);
 }
 
-// ---- Facet pairs ----
 // Pairs of records with the same hash, found without unpredictable branches.
 
 // Adds up the records of each slot of a table, chosen by bits of their hashes after the first
@@ -87,7 +85,6 @@ std::size_t pair_by_sums(const RecordLayout& layout, std::span<std::uint64_t> re
   return left;
 }
 
-// ---- Nearby facets ----
 // Facets shared by two simplices that are near each other in the list, as most are in the order in
 // which programs write their meshes.
 
@@ -149,7 +146,6 @@ class NearbyFacets {
   std::vector<std::uint64_t> recent_;
 };
 
-// ---- Facet across ----
 // A facet as two simplices list it.
 
 // For each vertex, the places of the others, in an order such that the vertex followed by them is

@@ -77,8 +77,6 @@ class FaultFinder {
     return set;
   }
 
-  // ── What the judge has seen ────────────────────────────────────────────────────────────────────
-
   // Continues from the judge's results, and looks again only at what it doubted; false if that does
   // not explain everything. The proof is in docs/theory/fast.md, "Every place at fault".
   bool go_on_from(SweptMesh known) {
@@ -142,8 +140,6 @@ class FaultFinder {
     });
   }
 
-  // ── Where simplices and facets are in order ───────────────────────────────────────────────────
-
   // Matches facets and sweeps as the judge does; true if no simplex and no facet is faulty.
   bool facets_are_sound() {
     // The proposal is complete, because facets with the same vertices have the same hash.
@@ -175,8 +171,6 @@ class FaultFinder {
       faults_.not_local.push_back({facet, {other, place}});
     }
   }
-
-  // ── Simplices one by one ───────────────────────────────────────────────────────────────────────
 
   std::vector<std::size_t> points_that_are_no_vertices() {
     UsedPoints used(mesh_.points());
@@ -260,8 +254,6 @@ class FaultFinder {
     }
   }
 
-  // ── Facets ─────────────────────────────────────────────────────────────────────────────────────
-
   // The simplex across a facet: the place of its vertex off the facet, and whether it is on the
   // opposite side; nothing if it lacks the facet, or has the same vertices.
   struct Across {
@@ -326,8 +318,6 @@ class FaultFinder {
     faults_.duplicates = duplicates_among(distinct(std::move(doubtful)));
     return std::nullopt;
   }
-
-  // ── The boundary ───────────────────────────────────────────────────────────────────────────────
 
   struct RidgeUse {
     std::array<Index, kDimension - 1> ridge;  // ascending

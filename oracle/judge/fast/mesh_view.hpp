@@ -12,7 +12,6 @@
 
 namespace circumspect::fast {
 
-// ---- Names of facets ----
 // The name of a facet of a mesh.
 
 // A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many.
@@ -32,8 +31,6 @@ class FacetId {
  private:
   std::uint64_t bits_;
 };
-
-// ---- Mesh view ----
 
 // The answer to a question about a mesh is one of these, or none (judge.hpp).
 enum class Question { kTriangulation, kDelaunay, kWeightedDelaunay };

@@ -16,7 +16,6 @@
 
 namespace circumspect::fast {
 
-// ---- Sample point ----
 // If no simplex contains a double in its interior, the sample point is an exact barycentre.
 
 namespace {
@@ -171,7 +170,6 @@ TEST_CASE("a fan of tiny triangles that winds twice is left undecided") {
   CHECK(covered_twice > 0);  // or beyond a boundary facet
 }
 
-// ---- Submerged points ----
 // Points that are not vertices: the cost of judging many of them. properties/arrays_property.cpp
 // compares the answers with those of oracle/judge/points.
 

@@ -19,8 +19,6 @@
 
 namespace circumspect::fast {
 
-// ---- Balls at the boundary ----
-
 namespace {
 
 using IntervalPoint = Triple<Interval>;
@@ -116,8 +114,6 @@ bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>
 }
 
 }  // namespace
-
-// ---- Simplex facts ----
 
 template <std::size_t kDimension, typename Index>
 tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, Index>& mesh,

@@ -25,9 +25,7 @@
 
 namespace circumspect::fast {
 
-// ---- Orientations ----
 // The orientations of all simplices: one for all, as most programs write them, or one bit each.
-
 class Orientations {
  public:
   explicit Orientations(int all) : all_(all) {}
@@ -46,9 +44,7 @@ class Orientations {
   std::vector<std::uint64_t> negative_;
 };
 
-// ---- Used points ----
 // Which points are vertices: one bit each, set by any number of threads.
-
 class UsedPoints {
  public:
   explicit UsedPoints(std::size_t points) : points_(points), words_((points + 63) / 64) {}
@@ -81,10 +77,8 @@ class UsedPoints {
   std::vector<std::atomic<std::uint64_t>> words_;
 };
 
-// ---- Boundary simplices ----
 // Which simplices have a facet without a link: a bit each, set by any number of threads, block by
 // block.
-
 class BoundarySimplices {
  public:
   explicit BoundarySimplices(std::size_t simplices) : blocks_(chunks_of(simplices, kBlock)) {}
@@ -113,7 +107,6 @@ class BoundarySimplices {
   std::vector<std::uint32_t> blocks_;
 };
 
-// ---- Sweep ----
 // One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1
 // of docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
 
@@ -167,7 +160,6 @@ struct Swept {
 template <std::size_t kDimension, typename Index, typename Link>
 Swept sweep(const SweepTask<kDimension, Index, Link>& task, std::size_t first, std::size_t last);
 
-// ---- Whole sweep ----
 // The sweep of all simplices of a mesh, by all threads; if not all of them are oriented alike,
 // those for which this matters are swept again.
 

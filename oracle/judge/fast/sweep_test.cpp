@@ -21,7 +21,6 @@
 
 namespace circumspect::fast {
 
-// ---- Sweep ----
 // The sweep itself: for every width of vectors, and where the filter leaves much to the exact
 // stages.
 
@@ -127,7 +126,6 @@ TEST_CASE("facets that are not locally Delaunay are found, and ties, whatever de
   hold_grid<3>(7);
 }
 
-// ---- Whole sweep ----
 // Simplices oriented unlike most: sweeping some of them again gives the result of a sweep that
 // knows all orientations.
 
@@ -246,7 +244,6 @@ TEST_CASE("simplices that are oriented otherwise than most") {
   hold_turned<3>(16);
 }
 
-// ---- Simplex facts ----
 // The facts about simplices that need not cover anything in particular.
 
 using FacetIds = std::vector<FacetId>;

@@ -53,8 +53,6 @@ PlaneAxes axes_of(const Points& points, const Corners& t) {
   return {};
 }
 
-// ---- Two triangles ----
-
 // A triangle, or one of its segments, against others of the same plane.
 class InPlane {
  public:
@@ -210,8 +208,6 @@ bool meet_properly(const Points& points, const Corners& a, const Corners& b) {
   return meet_in_edge(points, a, apex_a, apex_b);
 }
 
-// ---- All pairs ----
-
 std::vector<AxisBox> boxes_of(std::span<const double> coordinates,
                               std::span<const Corners> triangles) {
   std::vector<AxisBox> boxes;
@@ -237,8 +233,8 @@ PlaneAxes axes_of_triangle(std::span<const double> coordinates, const Corners& t
 
 namespace {
 
-// Calls visit(a, b) for every two triangles that do not meet as they should, until it returns false;
-// false then, and if that would take long, or a triangle has its corners on a line.
+// Calls visit(a, b) for every two triangles that do not meet as they should, until it returns
+// false; false then, and if that would take long, or a triangle has its corners on a line.
 template <class Visit>
 bool visit_improper(std::span<const double> coordinates, std::span<const Corners> triangles,
                     const Visit& visit) {

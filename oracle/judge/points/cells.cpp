@@ -200,8 +200,6 @@ CellDifference difference_of_cells(const CellList& a, const CellList& b,
   return result;
 }
 
-// ---- Difference ----
-
 namespace {
 
 using WeightedPoint = std::pair<Point, Rational>;

@@ -10,10 +10,8 @@
 
 namespace circumspect::check {
 
-// ---- Cells ----
 // The cells of a mesh, one after another in one piece of memory, and the cells that two meshes
 // share: the comparison of meshes once their points are matched.
-
 class CellList {
  public:
   std::size_t size() const { return ends_.size(); }
@@ -56,7 +54,6 @@ struct CellDifference {
 CellDifference difference_of_cells(const CellList& a, const CellList& b,
                                    const std::vector<Vertex>& place_in_b, std::size_t points_of_b);
 
-// ---- Difference ----
 // Are two meshes the same complex, up to the numbering of points and the order of everything?
 
 // What one mesh has and the other lacks, by indices from 0 into that mesh. Points are matched by

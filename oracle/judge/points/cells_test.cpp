@@ -9,7 +9,6 @@
 
 namespace circumspect::check {
 
-// ---- Cells ----
 // The cells that two lists have in common, compared with a search one by one.
 
 namespace {
@@ -91,7 +90,6 @@ TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
   CHECK(lists_of(none) == std::vector<Simplex>{{9, 1}, {-3, 1}});
 }
 
-// ---- Difference ----
 // Two meshes are the same complex, or the differences are named.
 
 // A unit square; `order` says which corner comes where.

@@ -1,4 +1,4 @@
-// Judges claims about a mesh of points, each in two ways.
+// Judges claims about a mesh of points, by lemma.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,15 @@
 
 namespace circumspect::check {
 
-// Is the mesh a triangulation of its points? Book: Definition 2.1, Section 4.1: a simplicial
-// complex whose vertices are the points and whose union is their convex hull. Weights play no part.
-Verdict triangulation(const ExactMesh& mesh, const Options& options = {});
-
-// Is it a Delaunay triangulation of its points? Book: Definition 4.1, Lemma 4.1.
-// Requires: the points carry no weights.
-Verdict delaunay(const ExactMesh& mesh, const Options& options = {});
-
-// Is it a weighted Delaunay triangulation: a triangulation of some of the points, whose union is
-// the convex hull of all, such that no lifted point lies strictly below the witness plane of a
-// simplex? Points on the lower hull that are not extreme may be vertices or not. Book: Section 5.2.
-// Where all weights are equal, it is the claim `delaunay`.
-Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options = {});
-
-// Further demands on a mesh that was judged by definition: that all simplices are listed with the
-// same orientation, and that the listed neighbours are the true ones.
-void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict);
-
-// Requires: not a claim about a domain (see domain/judge_domain.hpp).
+// Does the claim hold?
+// `triangulation`: a simplicial complex whose vertices are the points and whose union is their
+// convex hull; weights play no part. Book: Definition 2.1, Section 4.1.
+// `delaunay`: the same, and every simplex is Delaunay. Book: Definition 4.1, Lemma 4.1.
+// `weighted-delaunay`: a triangulation of some of the points, whose union is the convex hull of
+// all, such that no lifted point lies strictly below the witness plane of a simplex. Points on the
+// lower hull that are not extreme may be vertices or not. Where all weights are equal, it is the
+// claim `delaunay`. Book: Section 5.2.
+// Requires: one of these claims, by lemma; no weights for `delaunay`.
 Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options = {});
 
 // The verdict that one of the two claims about balls does not hold, given that the mesh is a

@@ -5,18 +5,20 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/judge/domain/judge_exactly.hpp"
+
 namespace circumspect::check {
 namespace {
 
 void check_both_ways(const ExactMesh& mesh, bool holds) {
   for (const By by : {By::kLemma, By::kDefinition}) {
-    CHECK(triangulation(mesh, {.by = by}).holds() == holds);
-    CHECK(delaunay(mesh, {.by = by}).holds() == holds);
+    CHECK(judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = by}).holds() == holds);
+    CHECK(judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = by}).holds() == holds);
   }
 }
 
 Rule only_rule(const ExactMesh& mesh) {
-  const Verdict verdict = delaunay(mesh);
+  const Verdict verdict = judge_points(Claim::kDelaunay, mesh);
   REQUIRE(verdict.tallies().size() == 1);
   return verdict.tallies().begin()->first;
 }
@@ -25,7 +27,7 @@ TEST_CASE("the empty set: no simplices are its triangulation, and nothing else i
   check_both_ways({PointSet({}), {}}, true);
   check_both_ways({PointSet({}), {{0}}}, false);
   CHECK(only_rule({PointSet({}), {{0}}}) == Rule::kUnknownVertex);
-  const Verdict verdict = delaunay({PointSet({}), {}});
+  const Verdict verdict = judge_points(Claim::kDelaunay, {PointSet({}), {}});
   CHECK(verdict.points == 0);
   CHECK(verdict.simplices == 0);
   CHECK(verdict.dimension == -1);
@@ -66,10 +68,10 @@ TEST_CASE("a plane in space and a space in four dimensions: all happens in the a
   check_both_ways({square, {{0, 1, 2}, {1, 3, 2}}}, true);
   check_both_ways({square, {{0, 1, 2}, {0, 3, 2}}}, false);
   check_both_ways({square, {{0, 1, 2, 3}}}, false);
-  CHECK(delaunay({square, {{0, 1, 2}, {1, 3, 2}}}).dimension == 2);
+  CHECK(judge_points(Claim::kDelaunay, {square, {{0, 1, 2}, {1, 3, 2}}}).dimension == 2);
   // A planar kite whose longer diagonal is not Delaunay, tilted in space by a similarity.
   const PointSet kite({{-2, -2, 0}, {2, 2, 0}, {1, -1, 0}, {-1, 1, 0}});
-  CHECK(triangulation({kite, {{0, 1, 2}, {0, 1, 3}}}).holds());
+  CHECK(judge_points(Claim::kTriangulation, {kite, {{0, 1, 2}, {0, 1, 3}}}).holds());
   CHECK(only_rule({kite, {{0, 1, 2}, {0, 1, 3}}}) == Rule::kFacetNotLocal);
   check_both_ways({kite, {{0, 2, 3}, {1, 2, 3}}}, true);
   const PointSet solid({{0, 0, 0, 9}, {1, 0, 0, 9}, {0, 1, 0, 9}, {0, 0, 1, 9}, {-1, -1, -1, 9}});
@@ -81,17 +83,23 @@ TEST_CASE("witnesses are kept up to a maximum, and counted beyond it") {
   const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {5, 5}, {6, 5}, {5, 6}, {9, 9}}),
                        {{0, 1, 2}}};
   for (const By by : {By::kLemma, By::kDefinition}) {
-    CHECK(triangulation(mesh, {.by = by, .max_violations = 1}).violations().size() == 1);
-    CHECK(triangulation(mesh, {.by = by, .max_violations = 3}).violations().size() == 3);
-    const Verdict all = triangulation(mesh, {.by = by, .max_violations = 0});
+    CHECK(judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = by, .max_violations = 1})
+              .violations()
+              .size() == 1);
+    CHECK(judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = by, .max_violations = 3})
+              .violations()
+              .size() == 3);
+    const Verdict all =
+        judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = by, .max_violations = 0});
     std::size_t counted = 0;
     for (const auto& [rule, tally] : all.tallies()) counted += tally.count;
     CHECK(all.violations().size() == counted);
     CHECK(all.tallies().at(Rule::kUnusedPoint).count == 4);
-    CHECK(triangulation(mesh, {.by = by, .max_violations = 1}).tallies().size() ==
-          all.tallies().size());
+    CHECK(judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = by, .max_violations = 1})
+              .tallies()
+              .size() == all.tallies().size());
   }
-  const Verdict few = triangulation(mesh, {.max_violations = 2});
+  const Verdict few = judge_points(Claim::kTriangulation, mesh, {.max_violations = 2});
   CHECK(few.tallies().at(Rule::kUnusedPoint).count == 4);
   CHECK(few.violations()[1].witness.vertices == std::vector<Vertex>{4});
 }
@@ -122,7 +130,7 @@ TEST_CASE("neighbours: the true ones pass, each false one is named with what it 
   mesh.neighbors = Neighbors{{{6, -1, -1}, {-1, -1, 5}}, 5};
   check_both_ways(mesh, false);
   CHECK(only_rule(mesh) == Rule::kWrongNeighbor);
-  const Verdict swapped = delaunay(mesh);
+  const Verdict swapped = judge_points(Claim::kDelaunay, mesh);
   REQUIRE(swapped.violations().size() == 2);
   const Witness& missing = swapped.violations()[0].witness;  // in order of the facets
   CHECK(missing.face == Simplex{0, 2});
@@ -137,7 +145,7 @@ TEST_CASE("neighbours: the true ones pass, each false one is named with what it 
   CHECK(extra.values[0].value == 6);
   CHECK(extra.values[1].value == -1);
   mesh.neighbors = Neighbors{{{-1, 1, -1}, {-1, -1, -1}}};
-  const Verdict none = delaunay(mesh);
+  const Verdict none = judge_points(Claim::kDelaunay, mesh);
   REQUIRE(none.violations().size() == 1);
   CHECK(none.violations()[0].witness.simplices == std::vector<Simplex>{{0, 2, 3}, {0, 1, 2}});
   mesh.neighbors = Neighbors{{{-1, 7, -1}, {-1, -1, 0}}};

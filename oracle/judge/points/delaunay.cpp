@@ -10,8 +10,10 @@
 #include "kernel/exact/triple.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/definition/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
+#include "oracle/judge/points/triangulation.hpp"
 
 namespace circumspect::check {
 
@@ -67,15 +69,17 @@ bool adds_to_count_only(const ExactMesh& mesh, Rule rule, const Simplex& simplex
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
   if (adds_to_count_only(mesh, rule, simplex, q, verdict)) {
-    Simplex named = simplex;
-    named.push_back(q);
-    verdict.count(rule, std::nullopt, sorted(std::move(named)));
+    verdict.count(rule, std::nullopt, sorted(with_apex(simplex, q)));
     return;
   }
   definition::add_in_ball(mesh.points, rule, simplex, facet, q, verdict);
 }
 
-// ---- Delaunay ----
+void Ambiguity::see(const PointSet& points, const Simplex& simplex, Vertex q, int side) {
+  if (side != 0) return;
+  unique = false;
+  if (canonical) canonical = perturbed_in_ball(points.configuration(), simplex, q) < 0;
+}
 
 namespace {
 
@@ -136,8 +140,6 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
     ambiguity.see(mesh.points, mesh.simplices[shared.simplex], apex, side);
   });
 }
-
-// ---- Submerged points ----
 
 namespace {
 

@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
-#include "kernel/predicates/perturbation.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
-// ---- Ball witness ----
 // The witness that a point lies strictly inside a circumball (weighted: that its lifted companion
 // lies strictly below a witness plane).
 
@@ -23,7 +21,6 @@ namespace circumspect::check {
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
 
-// ---- Ambiguity ----
 // What empty balls imply about other Delaunay triangulations of the same points.
 
 // A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is not a
@@ -34,11 +31,7 @@ struct Ambiguity {
   bool canonical = true;
 
   // `side` is in_ball of the simplex and q.
-  void see(const PointSet& points, const Simplex& simplex, Vertex q, int side) {
-    if (side != 0) return;
-    unique = false;
-    if (canonical) canonical = perturbed_in_ball(points.configuration(), simplex, q) < 0;
-  }
+  void see(const PointSet& points, const Simplex& simplex, Vertex q, int side);
 
   // Reports the facts if the claim holds.
   void conclude(Verdict& verdict) const {
@@ -47,8 +40,6 @@ struct Ambiguity {
     verdict.canonical = canonical;
   }
 };
-
-// ---- Delaunay ----
 
 // A facet of two simplices of a list.
 struct SharedFacet {
@@ -74,7 +65,6 @@ int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& share
 void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity);
 
-// ---- Submerged points ----
 // The points of a weighted set that are not vertices: are they submerged? Book: Section 2.8 by way
 // of Section 5.2 (weighted Delaunay triangulations).
 

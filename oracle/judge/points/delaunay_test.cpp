@@ -9,11 +9,11 @@
 
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::check {
 
-// ---- Delaunay ----
 // Whether a triangulation is Delaunay: the two rules, their witnesses and margins, and the facts
 // `unique` and `canonical`.
 
@@ -28,7 +28,7 @@ ExactMesh kite() {
 
 void check_facts(const ExactMesh& mesh, bool unique, bool canonical) {
   for (const By by : {By::kLemma, By::kDefinition}) {
-    const Verdict verdict = delaunay(mesh, {.by = by});
+    const Verdict verdict = judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = by});
     CHECK(verdict.holds());
     CHECK(verdict.unique == unique);
     CHECK(verdict.canonical == canonical);
@@ -36,7 +36,7 @@ void check_facts(const ExactMesh& mesh, bool unique, bool canonical) {
 }
 
 TEST_CASE("facet not local: the wrong diagonal, with the ball, the distance and the margin") {
-  const Verdict verdict = delaunay(kite());
+  const Verdict verdict = judge_points(Claim::kDelaunay, kite());
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.violations()[0].rule == Rule::kFacetNotLocal);
   const Witness& witness = verdict.violations()[0].witness;
@@ -58,11 +58,11 @@ TEST_CASE("facet not local: the wrong diagonal, with the ball, the distance and 
   CHECK(verdict.tallies().at(Rule::kFacetNotLocal).worst_margin == Rational(21, 25));
   CHECK(!verdict.unique);
   CHECK(!verdict.canonical);
-  CHECK(triangulation(kite()).holds());
+  CHECK(judge_points(Claim::kTriangulation, kite()).holds());
 }
 
 TEST_CASE("vertex in ball: the same by definition, once for each ball, and the worst margin") {
-  const Verdict verdict = delaunay(kite(), {.by = By::kDefinition});
+  const Verdict verdict = judge_exactly(Claim::kDelaunay, kite(), nullptr, {.by = By::kDefinition});
   REQUIRE(verdict.violations().size() == 2);
   const Witness& first = verdict.violations()[0].witness;
   const Witness& second = verdict.violations()[1].witness;
@@ -83,19 +83,26 @@ TEST_CASE("vertex in ball: the same by definition, once for each ball, and the w
 TEST_CASE(
     "by definition the first point is looked at like every other, in balls and beyond facets") {
   const ExactMesh crossed{PointSet({{0, -1}, {-3, 0}, {3, 0}, {0, 1}}), {{0, 1, 2}, {1, 2, 3}}};
-  CHECK(delaunay(crossed, {.by = By::kDefinition}).tallies().at(Rule::kVertexInBall).count == 2);
+  CHECK(judge_exactly(Claim::kDelaunay, crossed, nullptr, {.by = By::kDefinition})
+            .tallies()
+            .at(Rule::kVertexInBall)
+            .count == 2);
   const ExactMesh notched{PointSet({{0, 4}, {1, 1}, {4, 0}, {0, 0}}), {{0, 3, 1}, {3, 2, 1}}};
-  const Verdict verdict = triangulation(notched, {.by = By::kDefinition});
+  const Verdict verdict =
+      judge_exactly(Claim::kTriangulation, notched, nullptr, {.by = By::kDefinition});
   CHECK(verdict.tallies().at(Rule::kHullNotConvex).count == 2);
 }
 
 TEST_CASE("vertex in ball: the worst margin is the worst, whichever comes first") {
   ExactMesh mesh = kite();
   std::swap(mesh.simplices[0], mesh.simplices[1]);
-  CHECK(delaunay(mesh, {.by = By::kDefinition}).tallies().at(Rule::kVertexInBall).worst_margin ==
-        Rational(21, 25));
+  CHECK(judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = By::kDefinition})
+            .tallies()
+            .at(Rule::kVertexInBall)
+            .worst_margin == Rational(21, 25));
   // By lemma one ball represents the facet: that of the simplex listed first.
-  CHECK(delaunay(mesh).tallies().at(Rule::kFacetNotLocal).worst_margin == Rational(168, 289));
+  CHECK(judge_points(Claim::kDelaunay, mesh).tallies().at(Rule::kFacetNotLocal).worst_margin ==
+        Rational(168, 289));
 }
 
 TEST_CASE("the worst margin is the worst also where there is no room for its witness") {
@@ -132,11 +139,12 @@ TEST_CASE("a point on the sphere is not in the open ball, and one a hair inside 
   const auto square_with = [](const Rational& x) {
     return ExactMesh{PointSet({{0, 0}, {1, 0}, {x, 1}, {0, 1}}), {{0, 1, 3}, {1, 2, 3}}};
   };
-  CHECK(delaunay(square_with(1)).holds());
+  CHECK(judge_points(Claim::kDelaunay, square_with(1)).holds());
   const Rational hair = exact_value(0x1p-52);
-  CHECK(!delaunay(square_with(1 - hair)).holds());
-  CHECK(!delaunay(square_with(1 - hair), {.by = By::kDefinition}).holds());
-  CHECK(delaunay(square_with(1 + hair)).unique == true);
+  CHECK(!judge_points(Claim::kDelaunay, square_with(1 - hair)).holds());
+  CHECK(!judge_exactly(Claim::kDelaunay, square_with(1 - hair), nullptr, {.by = By::kDefinition})
+             .holds());
+  CHECK(judge_points(Claim::kDelaunay, square_with(1 + hair)).unique == true);
 }
 
 TEST_CASE("facts: a triangle is unique and canonical; a square has two triangulations") {
@@ -194,7 +202,7 @@ TEST_CASE("facets that somebody found not to be locally Delaunay are asked again
   CHECK(first.violations()[0].witness.face == Simplex{0, 1});
   CHECK(first.violations()[0].witness.vertices == std::vector<Vertex>{3});
   CHECK_FALSE(first.unique.has_value());
-  const Verdict of_mesh = delaunay(mesh);
+  const Verdict of_mesh = judge_points(Claim::kDelaunay, mesh);
   const Verdict both =
       not_locally_delaunay(Claim::kDelaunay, mesh, {above, below}, {.max_violations = 1});
   REQUIRE(both.violations().size() == 1);
@@ -208,7 +216,6 @@ TEST_CASE("facets that somebody found not to be locally Delaunay are asked again
   CHECK_THROWS_AS(not_locally_delaunay(Claim::kDelaunay, mesh, {below, good}), std::logic_error);
 }
 
-// ---- Weighted Delaunay ----
 // The claim weighted-delaunay: each of its rules broken alone, by the smallest mesh.
 // Book: Sections 4.1 and 5.2.
 
@@ -223,7 +230,7 @@ const std::vector<Simplex> kOneEdge = {{0, 2}};
 
 std::set<Rule> broken_weighted(const ExactMesh& mesh, By by) {
   std::set<Rule> rules;
-  const Verdict verdict = weighted_delaunay(mesh, {.by = by});
+  const Verdict verdict = judge_exactly(Claim::kWeightedDelaunay, mesh, nullptr, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
   return rules;
 }
@@ -244,16 +251,16 @@ TEST_CASE("weighted: a point above the lower hull must be left out, one below mu
 TEST_CASE("weighted: a point on the lower hull may be a vertex or not") {
   for (const auto& edges : {kOneEdge, kTwoEdges}) {
     CHECK(holds(line(-1, edges)));
-    CHECK(weighted_delaunay(line(-1, edges)).unique == false);
+    CHECK(judge_points(Claim::kWeightedDelaunay, line(-1, edges)).unique == false);
   }
-  CHECK(weighted_delaunay(line(-1, kOneEdge)).canonical == true);
-  CHECK(weighted_delaunay(line(-1, kTwoEdges)).canonical == false);
+  CHECK(judge_points(Claim::kWeightedDelaunay, line(-1, kOneEdge)).canonical == true);
+  CHECK(judge_points(Claim::kWeightedDelaunay, line(-1, kTwoEdges)).canonical == false);
 }
 
 TEST_CASE("weighted: a vertex above the witness plane of the simplex around it is submerged") {
   const ExactMesh mesh = line(-2, kTwoEdges);
   CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kVertexSubmerged});
-  const Verdict verdict = weighted_delaunay(mesh);
+  const Verdict verdict = judge_points(Claim::kWeightedDelaunay, mesh);
   REQUIRE(verdict.violations().size() == 1);
   const Witness& witness = verdict.violations()[0].witness;
   REQUIRE(witness.simplices.size() == 1);
@@ -269,7 +276,7 @@ TEST_CASE("weighted: a point below the witness plane of the simplex that contain
   const ExactMesh mesh = line(1, kOneEdge);
   CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kPointBelowPlane});
   CHECK(broken_weighted(mesh, By::kDefinition) == std::set{Rule::kPointBelowPlane});
-  const Verdict verdict = weighted_delaunay(mesh);
+  const Verdict verdict = judge_points(Claim::kWeightedDelaunay, mesh);
   REQUIRE(verdict.violations().size() == 1);
   const Witness& witness = verdict.violations()[0].witness;
   CHECK(witness.simplices == kOneEdge);
@@ -296,7 +303,7 @@ TEST_CASE("weighted: weights turn the right diagonal into the wrong one") {
   const ExactMesh wrong{kite, {{0, 2, 3}, {1, 2, 3}}};
   CHECK(!holds(wrong));
   CHECK(broken_weighted(wrong, By::kLemma) == std::set{Rule::kFacetNotLocal});
-  CHECK(triangulation(wrong).holds());
+  CHECK(judge_points(Claim::kTriangulation, wrong).holds());
 }
 
 TEST_CASE("weighted: a walk to the points left out, in a fan around a centre") {
@@ -313,7 +320,7 @@ TEST_CASE("weighted: a walk to the points left out, in a fan around a centre") {
   weights.back() = 100;
   const ExactMesh below{PointSet(points, weights), fan};
   CHECK(broken_weighted(below, By::kLemma) == std::set{Rule::kPointBelowPlane});
-  const Verdict verdict = weighted_delaunay(below);
+  const Verdict verdict = judge_points(Claim::kWeightedDelaunay, below);
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.violations()[0].witness.simplices == std::vector<Simplex>{{0, 1, 2}});
   CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{8});
@@ -324,7 +331,7 @@ TEST_CASE("weighted: of several simplices that contain a point, the first in the
   const PointSet points({{0, 0}, {4, 0}, {0, 4}, {4, 4}, {2, 2}, {1, 3}}, {0, 0, 0, 0, 9, 9});
   std::vector<Simplex> square = {{0, 1, 2}, {3, 2, 1}};
   for (int turn = 0; turn < 2; ++turn) {
-    const Verdict verdict = weighted_delaunay({points, square});
+    const Verdict verdict = judge_points(Claim::kWeightedDelaunay, {points, square});
     REQUIRE(verdict.violations().size() == 2);
     for (const Violation& violation : verdict.violations()) {
       CHECK(violation.rule == Rule::kPointBelowPlane);
@@ -370,7 +377,7 @@ TEST_CASE("weighted: a submerged vertex is named where it lies on an edge of the
   const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {2, 0}, {1, 1}}, {0, -10, 0, 0}),
                        {{0, 1, 3}, {1, 2, 3}}};
   CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kVertexSubmerged});
-  const Verdict verdict = weighted_delaunay(mesh);
+  const Verdict verdict = judge_points(Claim::kWeightedDelaunay, mesh);
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{1});
 }

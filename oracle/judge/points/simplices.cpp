@@ -3,59 +3,45 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {
 
-// The vertex that the simplex lists twice.
-Vertex repeated_vertex(const Simplex& simplex) {
-  const Simplex ascending = sorted(simplex);
-  return *std::adjacent_find(ascending.begin(), ascending.end());
-}
-
-// The first rule that one simplex breaks by itself, or none. Sets its orientation.
-bool judge_simplex(const ExactMesh& mesh, std::size_t place, int& orientation_of_it,
-                   Verdict& verdict) {
+// The first rule that one simplex breaks by itself, or none. `ascending`: its vertices. Sets its
+// orientation.
+std::optional<Violation> fault_of_simplex(const ExactMesh& mesh, std::size_t place,
+                                          const Simplex& ascending, int& orientation_of_it) {
   const PointSet& points = mesh.points;
   const Simplex& simplex = mesh.simplices[place];
+  Witness witness{.simplices = {simplex}, .places = {place}};
   const auto unknown =
       std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !points.names(v); });
   if (unknown != simplex.end()) {
-    verdict.add(Rule::kUnknownVertex,
-                {.simplices = {simplex}, .places = {place}, .vertices = {*unknown}});
-    return false;
+    witness.vertices = {*unknown};
+    return Violation{Rule::kUnknownVertex, std::move(witness)};
   }
   // Nothing is a simplex of the empty set, not even one without vertices.
   if (simplex.empty() || static_cast<int>(simplex.size()) != points.dimension() + 1) {
-    verdict.add(Rule::kWrongDimension,
-                {.simplices = {simplex},
-                 .places = {place},
-                 .values = {{"vertices", Rational(static_cast<long>(simplex.size()))},
-                            {"vertices expected", Rational(points.dimension() + 1)}}});
-    return false;
+    witness.values = {{"vertices", Rational(static_cast<long>(simplex.size()))},
+                      {"vertices expected", Rational(points.dimension() + 1)}};
+    return Violation{Rule::kWrongDimension, std::move(witness)};
   }
-  if (has_repeated_vertex(simplex)) {
-    verdict.add(
-        Rule::kRepeatedVertex,
-        {.simplices = {simplex}, .places = {place}, .vertices = {repeated_vertex(simplex)}});
-    return false;
+  const auto twice = std::adjacent_find(ascending.begin(), ascending.end());
+  if (twice != ascending.end()) {
+    witness.vertices = {*twice};
+    return Violation{Rule::kRepeatedVertex, std::move(witness)};
   }
   orientation_of_it = orientation(points.configuration(), simplex);
-  if (orientation_of_it == 0) {
-    verdict.add(Rule::kDegenerateSimplex, {.simplices = {simplex},
-                                           .places = {place},
-                                           .values = {{"orientation determinant", Rational(0)}}});
-    return false;
-  }
-  return true;
+  if (orientation_of_it != 0) return std::nullopt;
+  witness.values = {{"orientation determinant", Rational(0)}};
+  return Violation{Rule::kDegenerateSimplex, std::move(witness)};
 }
 
-bool judge_duplicates(const ExactMesh& mesh, Verdict& verdict) {
-  std::vector<Simplex> ascending;
-  ascending.reserve(mesh.simplices.size());
-  for (const Simplex& simplex : mesh.simplices) ascending.push_back(sorted(simplex));
+bool judge_duplicates(const ExactMesh& mesh, const std::vector<Simplex>& ascending,
+                      Verdict& verdict) {
   std::vector<std::size_t> order(ascending.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -96,10 +82,15 @@ bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict,
                      std::optional<int> of_most) {
   bool sound = true;
   std::vector<int> orientations(mesh.simplices.size(), 0);
+  std::vector<Simplex> ascending;
+  ascending.reserve(mesh.simplices.size());
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
-    sound &= judge_simplex(mesh, s, orientations[s], verdict);
+    ascending.push_back(sorted(mesh.simplices[s]));
+    const auto fault = fault_of_simplex(mesh, s, ascending.back(), orientations[s]);
+    if (fault) verdict.add(fault->rule, fault->witness);
+    sound &= !fault;
   }
-  sound &= judge_duplicates(mesh, verdict);
+  sound &= judge_duplicates(mesh, ascending, verdict);
   if (sound && oriented) {
     judge_orientations(mesh, orientations, of_most.value_or(orientation_of_most(orientations)),
                        verdict);

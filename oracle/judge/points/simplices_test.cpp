@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::check {
@@ -16,7 +17,8 @@ const std::vector<Point> kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 // The rules that a mesh breaks as a Delaunay triangulation.
 std::set<Rule> broken_delaunay(const ExactMesh& mesh, By by, bool oriented = false) {
   std::set<Rule> rules;
-  const Verdict verdict = delaunay(mesh, {.by = by, .oriented = oriented});
+  const Verdict verdict =
+      judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = by, .oriented = oriented});
   for (const auto& [rule, tally] : verdict.tallies()) {
     rules.insert(rule);
   }
@@ -27,7 +29,7 @@ std::set<Rule> broken_delaunay(const ExactMesh& mesh, By by, bool oriented = fal
 Violation only_violation(Rule rule, const ExactMesh& mesh, bool oriented = false) {
   CHECK(broken_delaunay(mesh, By::kLemma, oriented) == std::set{rule});
   CHECK(broken_delaunay(mesh, By::kDefinition, oriented) == std::set{rule});
-  const Verdict verdict = delaunay(mesh, {.oriented = oriented});
+  const Verdict verdict = judge_points(Claim::kDelaunay, mesh, {.oriented = oriented});
   CHECK(!verdict.holds());
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.tallies().at(rule).count == 1);
@@ -119,7 +121,7 @@ TEST_CASE("duplicate simplex: the same vertices in another order, each repetitio
   const Witness witness = only_violation(Rule::kDuplicateSimplex, twice).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{0, 1, 2}, {2, 1, 0}});
   const ExactMesh thrice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {1, 0, 2}}};
-  CHECK(delaunay(thrice).tallies().at(Rule::kDuplicateSimplex).count == 2);
+  CHECK(judge_points(Claim::kDelaunay, thrice).tallies().at(Rule::kDuplicateSimplex).count == 2);
 }
 
 TEST_CASE("unused point: inside, on an edge of the hull, outside") {
@@ -129,12 +131,14 @@ TEST_CASE("unused point: inside, on an edge of the hull, outside") {
     std::vector<Point> points = kSquare;
     points.push_back(more);
     const ExactMesh mesh{PointSet(points), triangles};
-    const Verdict verdict = triangulation(mesh);
+    const Verdict verdict = judge_points(Claim::kTriangulation, mesh);
     REQUIRE(verdict.violations().size() == 1);
     CHECK(verdict.violations()[0].rule == Rule::kUnusedPoint);
     CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{4});
     CHECK(verdict.violations()[0].witness.point == more);
-    CHECK(triangulation(mesh, {.by = By::kDefinition}).tallies().size() == 1);
+    CHECK(judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = By::kDefinition})
+              .tallies()
+              .size() == 1);
   }
   // By lemma, nothing else is wrong with a point outside; by definition, it lies beyond the hull.
   const ExactMesh outside{PointSet({{0, 0}, {4, 0}, {0, 4}, {9, 9}}), {{0, 1, 2}}};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
@@ -10,29 +12,28 @@
 
 namespace circumspect::check {
 
-namespace {
-
 Simplex with_apex(Simplex facet, Vertex apex) {
   facet.push_back(apex);
   return facet;
 }
 
-}  // namespace
+BoundaryFacet boundary_facet(const ExactMesh& mesh, const FacetUse& use) {
+  const Vertex apex = mesh.simplices[use.simplex][use.opposite];
+  const int inner = orientation(mesh.points.configuration(), with_apex(use.facet, apex));
+  return {use.facet, apex, use.simplex, inner};
+}
 
 std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
                                            const std::vector<FacetUse>& uses) {
   std::vector<BoundaryFacet> boundary;
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
-    if (group.size() != 1) return;
-    const FacetUse& use = group.front();
-    boundary.push_back({use.facet, mesh.simplices[use.simplex][use.opposite], use.simplex});
+    if (group.size() == 1) boundary.push_back(boundary_facet(mesh, group.front()));
   });
   return boundary;
 }
 
 int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q) {
-  return orientation(points, with_apex(facet.facet, q)) *
-         orientation(points, with_apex(facet.facet, facet.apex));
+  return orientation(points, with_apex(facet.facet, q)) * facet.inner;
 }
 
 Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
@@ -58,9 +59,24 @@ Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
 
 // Is the vertex of `b` opposite a shared facet on the same side of it as that of `a`?
 bool on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& b) {
-  const Configuration& points = mesh.points.configuration();
-  const BoundaryFacet facet{a.facet, mesh.simplices[a.simplex][a.opposite], a.simplex};
-  return side_of(points, facet, mesh.simplices[b.simplex][b.opposite]) > 0;
+  const Vertex apex = mesh.simplices[b.simplex][b.opposite];
+  return side_of(mesh.points.configuration(), boundary_facet(mesh, a), apex) > 0;
+}
+
+// What condition 1 finds wrong with a facet of these uses.
+std::optional<Violation> fault_at_facet(const ExactMesh& mesh, std::span<const FacetUse> uses) {
+  switch (conditions::at_facet(uses.size(), [&] { return on_same_side(mesh, uses[0], uses[1]); })) {
+    case conditions::AtFacet::kOverused: {
+      Witness witness{.face = uses.front().facet};
+      for (const FacetUse& use : uses) witness.simplices.push_back(mesh.simplices[use.simplex]);
+      return Violation{Rule::kFacetOverused, std::move(witness)};
+    }
+    case conditions::AtFacet::kSameSide:
+      return Violation{Rule::kOverlap, overlap(mesh, uses[0].simplex, uses[1].simplex)};
+    case conditions::AtFacet::kGood:
+      break;
+  }
+  return std::nullopt;
 }
 
 // Two boundary facets that meet in a ridge, each with its vertex off the ridge.
@@ -83,27 +99,39 @@ bool is_folded(const ExactMesh& mesh, const Hinge& hinge) {
   return side == orientation(points, axes, with_far);
 }
 
-// Condition 2 at a ridge of two facets.
-bool judge_hinge(const ExactMesh& mesh, const Hinge& hinge, Verdict& verdict) {
+// What condition 2 finds wrong with a ridge of two facets.
+std::optional<Violation> fault_at_hinge(const ExactMesh& mesh, const Hinge& hinge) {
   const Configuration& points = mesh.points.configuration();
   switch (conditions::at_ridge(
       2, [&] { return side_of(points, hinge.first, hinge.second_far); },
       [&] { return side_of(points, hinge.second, hinge.first_far); },
       [&] { return is_folded(mesh, hinge); })) {
     case conditions::AtRidge::kSecondBeyond:
-      verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.first, hinge.second_far));
-      return false;
+      return Violation{Rule::kHullNotConvex, beyond(mesh, hinge.first, hinge.second_far)};
     case conditions::AtRidge::kFirstBeyond:
-      verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far));
-      return false;
+      return Violation{Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far)};
     case conditions::AtRidge::kFolded:
-      verdict.add(Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex));
-      return false;
+      return Violation{Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex)};
     case conditions::AtRidge::kNotClosed:
     case conditions::AtRidge::kGood:
       break;
   }
-  return true;
+  return std::nullopt;
+}
+
+// What condition 2 finds wrong with a ridge that these boundary facets use.
+std::optional<Violation> fault_at_ridge(const ExactMesh& mesh,
+                                        const std::vector<BoundaryFacet>& boundary,
+                                        std::span<const FacetUse> uses) {
+  if (uses.size() == 2) {
+    const BoundaryFacet& first = boundary[uses[0].simplex];
+    const BoundaryFacet& second = boundary[uses[1].simplex];
+    return fault_at_hinge(mesh, {first, first.facet[uses[0].opposite], second,
+                                 second.facet[uses[1].opposite], uses[0].facet});
+  }
+  Witness witness{.face = uses.front().facet};
+  for (const FacetUse& use : uses) witness.simplices.push_back(boundary[use.simplex].facet);
+  return Violation{Rule::kHullNotClosed, std::move(witness)};
 }
 
 // A vertex of the sample's simplex that lies strictly beyond the facet. There is one whenever the
@@ -130,43 +158,22 @@ bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& us
                           Verdict& verdict) {
   bool matched = true;
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
-    switch (conditions::at_facet(group.size(),
-                                 [&] { return on_same_side(mesh, group[0], group[1]); })) {
-      case conditions::AtFacet::kGood:
-        return;
-      case conditions::AtFacet::kOverused: {
-        Witness witness{.face = group.front().facet};
-        for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
-        verdict.add(Rule::kFacetOverused, witness);
-        break;
-      }
-      case conditions::AtFacet::kSameSide:
-        verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
-        break;
-    }
-    matched = false;
+    const auto fault = fault_at_facet(mesh, group);
+    if (fault) verdict.add(fault->rule, fault->witness);
+    matched &= !fault;
   });
   return matched;
 }
 
 bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                   const std::vector<FacetUse>& ridges, Verdict& verdict) {
-  bool closed = true;
-  bool convex = true;
+  bool closed_and_convex = true;
   for_each_facet(ridges, [&](std::span<const FacetUse> group) {
-    const auto far = [&](const FacetUse& use) { return boundary[use.simplex].facet[use.opposite]; };
-    if (group.size() == 2) {
-      const Hinge hinge{boundary[group[0].simplex], far(group[0]), boundary[group[1].simplex],
-                        far(group[1]), group[0].facet};
-      convex &= judge_hinge(mesh, hinge, verdict);
-      return;
-    }
-    closed = false;
-    Witness witness{.face = group.front().facet};
-    for (const FacetUse& use : group) witness.simplices.push_back(boundary[use.simplex].facet);
-    verdict.add(Rule::kHullNotClosed, witness);
+    const auto fault = fault_at_ridge(mesh, boundary, group);
+    if (fault) verdict.add(fault->rule, fault->witness);
+    closed_and_convex &= !fault;
   });
-  return closed && convex;
+  return closed_and_convex;
 }
 
 void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
@@ -201,6 +208,41 @@ bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& 
   if (judge_ridges(mesh, boundary, facet_uses(facets), verdict))
     judge_sample_point(mesh, boundary, verdict);
   return true;
+}
+
+namespace {
+
+// `across` is the place of the true neighbour in the list of simplices, or −1.
+void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
+  const Vertex expected = across < 0 ? -1 : across + mesh.neighbors->first_index;
+  const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
+  if (listed == expected) return;
+  const Simplex* const simplex =
+      across < 0 ? nullptr : &mesh.simplices[static_cast<std::size_t>(across)];
+  add_wrong_neighbor(mesh, use, simplex, listed, expected, verdict);
+}
+
+}  // namespace
+
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    const bool shared = group.size() == 2;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;
+      judge_link(mesh, group[i], across, verdict);
+    }
+  });
+}
+
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict) {
+  Witness witness{.simplices = {mesh.simplices[use.simplex]},
+                  .face = use.facet,
+                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
+                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+  // Names the true neighbour by its vertices, so that the reader need not count simplices.
+  if (across != nullptr) witness.simplices.push_back(*across);
+  verdict.add(Rule::kWrongNeighbor, witness);
 }
 
 }  // namespace circumspect::check

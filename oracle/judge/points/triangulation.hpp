@@ -1,5 +1,6 @@
-// Are sound simplices a complex that covers the convex hull of the points? Book: Definition 2.1 and
-// Section 4.1.
+// Are sound simplices a complex that covers the convex hull of the points, and do they have the
+// neighbours that a program lists for them (TetGen's and Triangle's .neigh)? Book: Definition 2.1
+// and Section 4.1.
 #pragma once
 
 #include <vector>
@@ -10,12 +11,18 @@
 
 namespace circumspect::check {
 
+// The simplex that joins a facet to an apex, which becomes its last vertex.
+Simplex with_apex(Simplex facet, Vertex apex);
+
 // A facet of only one simplex: a piece of the boundary of the mesh.
 struct BoundaryFacet {
   Simplex facet;        // ascending
   Vertex apex;          // the vertex of its simplex off the facet, hence on the inner side
   std::size_t simplex;  // the simplex that has it
+  int inner;            // the orientation of the facet with the apex
 };
+
+BoundaryFacet boundary_facet(const ExactMesh& mesh, const FacetUse& use);
 
 // All of them, in order of their vertices.
 std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
@@ -52,5 +59,15 @@ void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>&
 // the mesh.
 bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                             Verdict& verdict);
+
+// complex.wrong-neighbor: entry i of a simplex must be the simplex across the facet opposite its
+// vertex i, or none on the boundary. Requires: the mesh lists neighbours; simplices are sound and
+// facets lie in one or two of them. `uses` are those of the mesh.
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+
+// The same for one facet, given that the simplex across it, `across` if there is one, is not the
+// listed one. `listed`, `expected`: the indices as the program counts them.
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::check {
@@ -15,7 +16,7 @@ namespace {
 
 std::set<Rule> broken(const ExactMesh& mesh, By by) {
   std::set<Rule> rules;
-  const Verdict verdict = triangulation(mesh, {.by = by});
+  const Verdict verdict = judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
   return rules;
 }
@@ -24,7 +25,7 @@ std::set<Rule> broken(const ExactMesh& mesh, By by) {
 std::vector<Violation> only(Rule rule, const ExactMesh& mesh) {
   CHECK(broken(mesh, By::kLemma) == std::set{rule});
   CHECK(!broken(mesh, By::kDefinition).empty());
-  const Verdict verdict = triangulation(mesh);
+  const Verdict verdict = judge_points(Claim::kTriangulation, mesh);
   REQUIRE(!verdict.violations().empty());
   CHECK(verdict.tallies().at(rule).count == verdict.violations().size());
   CHECK(!verdict.tallies().at(rule).worst_margin);
@@ -92,7 +93,8 @@ TEST_CASE("overlap: two triangles on the same side of an edge") {
 
 TEST_CASE("hull not convex, by definition: the first vertex beyond a facet is named") {
   const ExactMesh mesh{PointSet({{4, 4}, {0, 0}, {4, 0}, {0, 4}, {6, 0}}), {{1, 2, 3}, {0, 2, 4}}};
-  const Verdict verdict = triangulation(mesh, {.by = By::kDefinition});
+  const Verdict verdict =
+      judge_exactly(Claim::kTriangulation, mesh, nullptr, {.by = By::kDefinition});
   std::map<Simplex, std::vector<Vertex>> beyond;
   for (const Violation& violation : verdict.violations()) {
     CHECK(violation.rule == Rule::kHullNotConvex);
@@ -196,14 +198,14 @@ TEST_CASE("covered twice: a fan that winds twice, every edge of it locally Delau
     CHECK(violation.witness.simplices[0] == fan[0]);
     CHECK(violation.witness.simplices[1] != fan[0]);
   }
-  const Verdict verdict = delaunay(mesh);
+  const Verdict verdict = judge_points(Claim::kDelaunay, mesh);
   CHECK(verdict.tallies().size() == 1);
   CHECK(verdict.tallies().contains(Rule::kCoveredTwice));
   // Whichever triangle comes first, something stops it.
   for (std::size_t first = 0; first < fan.size(); ++first) {
     ExactMesh rotated = mesh;
     std::swap(rotated.simplices[0], rotated.simplices[first]);
-    CHECK(!triangulation(rotated).holds());
+    CHECK(!judge_points(Claim::kTriangulation, rotated).holds());
   }
 }
 
@@ -242,7 +244,7 @@ TEST_CASE("covered twice: a small triangle within a large one, also where it tou
   const ExactMesh touching{PointSet({{0, 0}, {9, 0}, {0, 9}, {3, 2}, {3, 4}, {1, 3}, {5, 3}}),
                            {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}};
   CHECK(broken(touching, By::kLemma) == std::set{Rule::kCoveredTwice});
-  CHECK(triangulation(touching).tallies().at(Rule::kCoveredTwice).count == 2);
+  CHECK(judge_points(Claim::kTriangulation, touching).tallies().at(Rule::kCoveredTwice).count == 2);
 }
 
 TEST_CASE("coplanar boundary facets are no fault, nor is a single simplex") {

@@ -61,7 +61,8 @@ struct Enclosed {
           2 * (size + a.error) * a.error + std::fabs(value) * Enclosed::kUnit + Enclosed::kTiny};
 }
 
-// Uncertain unless the divisor is far from zero: then |a/b − a'/b'| ≤ (|a − a'| + |a'/b'| · |b − b'|)/|b|.
+// Uncertain unless the divisor is far from zero: then |a/b − a'/b'| ≤ (|a − a'| + |a'/b'| · |b −
+// b'|)/|b|.
 [[gnu::always_inline]] inline Enclosed operator/(const Enclosed& a, const Enclosed& b) {
   const double value = a.value / b.value;
   const double least = b.value - 2 * b.error;
@@ -79,9 +80,9 @@ struct Enclosed {
   return {std::min(a.value, b.value), a.error + b.error};
 }
 
-// The sum of the squares of two or three differences of doubles. Each difference is rounded once, and
-// never underflows; its square is rounded once more, and so are at most two sums: together at most
-// (1 + 2^-53)^5, with 2^-1075 for the underflow of each square.
+// The sum of the squares of two or three differences of doubles. Each difference is rounded once,
+// and never underflows; its square is rounded once more, and so are at most two sums: together at
+// most (1 + 2^-53)^5, with 2^-1075 for the underflow of each square.
 template <std::size_t kCount>
 [[gnu::always_inline]] inline double rounded_squared_distance(const double* a, const double* b) {
   double sum = 0;

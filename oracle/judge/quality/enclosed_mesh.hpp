@@ -63,8 +63,8 @@ class EnclosedMesh {
   const Rows<Index>& simplices_;
 };
 
-// Calls `with(EnclosedMesh)` if the mesh is one of triangles or tetrahedra whose numbers are doubles,
-// else `without()`.
+// Calls `with(EnclosedMesh)` if the mesh is one of triangles or tetrahedra whose numbers are
+// doubles, else `without()`.
 template <class With, class Without>
 auto enclosed_or_else(const Mesh& mesh, const With& with, const Without& without) {
   const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);

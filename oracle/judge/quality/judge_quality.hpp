@@ -1,5 +1,5 @@
-// Judges what is required of the shape of each simplex, beside a claim. docs/theory/quality.md is the
-// definition.
+// Judges what is required of the shape of each simplex, beside a claim. docs/theory/quality.md is
+// the definition.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace circumspect::check {
 std::string fault_of_quality(const Mesh& mesh, const QualityDemands& demands);
 
 // Adds a violation for every simplex and requirement that it does not keep, and says what was
-// required. Simplices that are set apart (of another dimension, flat, or with an index that names no
-// point) break other rules, and none of these. `domain`: that of the claim, if there is one; its
+// required. Simplices that are set apart (of another dimension, flat, or with an index that names
+// no point) break other rules, and none of these. `domain`: that of the claim, if there is one; its
 // cells may have been moved by the root of `squared_reach`. Nothing changes if nothing is required.
 // Requires: no fault_of_quality.
 void judge_quality(const Mesh& mesh, const Domain* domain, const Rational& squared_reach,

@@ -1,5 +1,5 @@
-// A bound on what rounding does to a polynomial of measures.hpp that is evaluated with plain doubles,
-// before anything is known of the simplex but its longest edge.
+// A bound on what rounding does to a polynomial of measures.hpp that is evaluated with plain
+// doubles, before anything is known of the simplex but its longest edge.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,10 @@
 
 namespace circumspect::quality {
 
-// Of a homogeneous polynomial in squared lengths that are at most 1: |x| ≤ size, and the number that
-// doubles compute is off by at most `error`. With squared lengths of at most s both are multiplied
-// by s^degree. It runs through the very operations of the polynomial, once for a requirement.
+// Of a homogeneous polynomial in squared lengths that are at most 1: |x| ≤ size, and the number
+// that doubles compute is off by at most `error`. With squared lengths of at most s both are
+// multiplied by s^degree. It runs through the very operations of the polynomial, once for a
+// requirement.
 struct Magnitude {
   double size = 0;
   double error = 0;
@@ -48,8 +49,8 @@ inline Magnitude smaller(const Magnitude& a, const Magnitude& b) { return larger
 [[gnu::always_inline]] inline double larger(double a, double b) { return a < b ? b : a; }
 [[gnu::always_inline]] inline double smaller(double a, double b) { return b < a ? b : a; }
 
-// Between these no product of four squared lengths overflows, and what underflow loses of one is far
-// below `error`.
+// Between these no product of four squared lengths overflows, and what underflow loses of one is
+// far below `error`.
 inline constexpr double kLeastScale = 0x1p-100;
 inline constexpr double kLargestScale = 0x1p100;
 

@@ -1,5 +1,5 @@
-// Sharp angles of a domain, or of the boundary of a mesh, and the simplices that touch both of their
-// sides: what refinement cannot improve there is set aside.
+// Sharp angles of a domain, or of the boundary of a mesh, and the simplices that touch both of
+// their sides: what refinement cannot improve there is set aside.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 namespace circumspect::quality {
 
 // Sides are the segments and polygons of the domain, or, without one, the facets that just one
-// simplex has. Two segments meet at a common end at the angle between them; two polygons (two facets
-// in space) at a common edge, at the angle between their half-planes there.
+// simplex has. Two segments meet at a common end at the angle between them; two polygons (two
+// facets in space) at a common edge, at the angle between their half-planes there.
 class SharpAngles {
  public:
   // Angles of less than so many degrees. A vertex is on a side if it is no further from it than the
@@ -25,8 +25,8 @@ class SharpAngles {
   // How many pairs of sides meet at a sharp angle.
   std::size_t size() const { return pairs_.size(); }
 
-  // For each simplex: is there a sharp angle that has a vertex of it on one side, and one (which may
-  // be the same) on the other?
+  // For each simplex: is there a sharp angle that has a vertex of it on one side, and one (which
+  // may be the same) on the other?
   std::vector<bool> touched() const;
 
  private:

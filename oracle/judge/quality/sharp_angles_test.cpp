@@ -1,5 +1,5 @@
-// Sharp angles: which simplices touch both of their sides, of a domain, of one that was moved, and of
-// the boundary of a mesh.
+// Sharp angles: which simplices touch both of their sides, of a domain, of one that was moved, and
+// of the boundary of a mesh.
 #include "oracle/judge/quality/sharp_angles.hpp"
 
 #include <doctest/doctest.h>

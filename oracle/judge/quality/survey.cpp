@@ -118,8 +118,8 @@ std::size_t exact_bin_of(const Rational& value, const Histogram& histogram) {
       [&](const Rational& bound) { return compare(histogram.measure, value, bound) >= 0; }));
 }
 
-// Where the answers may be: for each question the simplices that may be furthest, ascending; and for
-// each histogram those whose bin is not known.
+// Where the answers may be: for each question the simplices that may be furthest, ascending; and
+// for each histogram those whose bin is not known.
 struct Candidates {
   std::vector<std::vector<std::size_t>> extremes;
   std::vector<std::vector<std::size_t>> binless;

@@ -32,7 +32,8 @@ struct Size {
 };
 Size size_of(const Mesh& mesh);
 
-// The same of the facets that one simplex has. Requires: the mesh has simplices of dimension 2 or 3.
+// The same of the facets that one simplex has. Requires: the mesh has simplices of dimension 2 or
+// 3.
 Size size_of_boundary(const Mesh& mesh);
 
 }  // namespace circumspect::quality

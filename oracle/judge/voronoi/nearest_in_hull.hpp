@@ -7,9 +7,10 @@
 
 namespace circumspect::check {
 
-// The answer of definition::squared_distance_to_hull, by Wolfe's algorithm: a simplex of some points
-// whose nearest point to q is inside of it is changed, ever nearer, until no point is beyond the
-// hyperplane through that nearest point (P. Wolfe, "Finding the nearest point in a polytope", Math.
+// The answer of definition::squared_distance_to_hull, by Wolfe's algorithm: a simplex of some
+// points whose nearest point to q is inside of it is changed, ever nearer, until no point is beyond
+// the hyperplane through that nearest point (P. Wolfe, "Finding the nearest point in a polytope",
+// Math.
 // Programming 11, 1976). Requires: there is a point.
 Rational squared_distance_to_hull(const Point& q, const std::vector<Point>& points);
 

@@ -79,7 +79,6 @@ TEST_CASE("the faces of a convex hull by going around it and by looking at all p
   }
 }
 
-// ---- Filters ----
 // What doubles decide they decide rightly, however near a case is to the other answer.
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "kernel/complex/polytope.hpp"
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/within/hull_faces.hpp"
@@ -216,7 +217,7 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
   const Verdict inner =
-      judge_domain(with_steiner_points(claim), mesh, image->domain, options, known);
+      judge_exactly(with_steiner_points(claim), mesh, &image->domain, options, known);
   add_all(inner, *image, answer, domain, verdict);
   return verdict;
 }
@@ -230,7 +231,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const fast::SimplexFacts* known, const Domain* flat,
                                               const Markers& markers, Work* work) {
   const auto exactly = [&] {
-    Verdict verdict = judge_domain(claim, mesh, flat == nullptr ? domain : *flat, options, known);
+    Verdict verdict = judge_exactly(claim, mesh, flat == nullptr ? &domain : flat, options, known);
     if (verdict.holds()) verdict.within = Within{};
     return verdict;
   };

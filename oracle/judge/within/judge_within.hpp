@@ -27,7 +27,7 @@ struct NotJudged {
 // the domain of which they were joined; the claim as it stands is about that one.
 // `markers`: which triangles of the mesh are to be the image of a polygon, where there is a choice.
 // `work`: how much may be done before the search for such a move is given up; none: whatever it
-// takes. Requires: as judge_domain; squared_distance >= 0.
+// takes. Requires: as judge_exactly; squared_distance >= 0.
 tl::expected<Verdict, NotJudged> judge_within(
     Claim claim, const ExactMesh& mesh, const Domain& domain, const Rational& squared_distance,
     const Options& options = {}, const fast::SimplexFacts* known = nullptr,

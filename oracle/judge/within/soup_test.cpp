@@ -1,6 +1,6 @@
-// The search for the least reach, and the verdict, against the definition: where cells of the domain
-// are a few bits apart, vertices of the mesh a few bits from them and from each other, and edges and
-// triangles any of those between these.
+// The search for the least reach, and the verdict, against the definition: where cells of the
+// domain are a few bits apart, vertices of the mesh a few bits from them and from each other, and
+// edges and triangles any of those between these.
 #include <set>
 
 #include <doctest/doctest.h>
@@ -213,8 +213,8 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
         judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit);
     const auto slow = judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain,
                                    limit * limit, {.by = By::kDefinition});
-    // Where a vertex of the domain has two within reach, the definition gives up; the search may know
-    // that another cell has no image at any distance.
+    // Where a vertex of the domain has two within reach, the definition gives up; the search may
+    // know that another cell has no image at any distance.
     const bool is_known_to_fail = !slow && said(quick) == "fails";
     if (!is_known_to_fail) CHECK(said(quick) == said(slow));
     held += quick && quick->holds() ? 1 : 0;

@@ -77,8 +77,6 @@ constexpr std::size_t site_of_row(std::size_t i) {
   return i < kDimension ? i : i + 1;
 }
 
-// ── Differences in one limb ──────────────────────────────────────────────────────────────────────
-
 // The bits of a difference of weights, if differences of coordinates are in a Fixed<1>. Heights are
 // then at most 4 · 2^124, and the polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
 constexpr int kWeightBits = 2 * kLimbBits;
@@ -206,8 +204,6 @@ std::optional<int> sign_on_grid(const Sites<kDimension, kCount>& sites, bool wei
   ++stages.fixed;
   return polynomial_sign(as<Fixed<1>, Fixed<2>>(grid.rows, limb, limbs, weighted), weighted);
 }
-
-// ── Differences in more ──────────────────────────────────────────────────────────────────────────
 
 // The largest power of two that divides every coordinate and whose square divides every weight, and
 // how many bits coordinates and weights have in these units.

@@ -12,7 +12,6 @@
 
 namespace circumspect::fast {
 
-// ---- Filter bounds ----
 // Bounds on the errors of the polynomials of polynomials.hpp when evaluated with doubles.
 
 // Each is proved by the script proofs/filters/NAME.gappa, for differences (and weights) scaled so
@@ -35,8 +34,6 @@ inline constexpr double kRoundedBound = 1 + 0x1p-40;
 inline constexpr double kSmallestScale = 0x1p-190;
 inline constexpr double kLargestScale = 0x1p190;
 inline constexpr double kLargestHeight = 0x1p380;
-
-// ---- Filter ----
 
 inline constexpr int kUncertain = 2;
 
@@ -143,7 +140,6 @@ template <typename Sign>
                             lattice.keeps_exact(largest, scale.weight));
 }
 
-// ---- Simplex filter ----
 // The first stage for a simplex and its queries: what depends on the simplex alone is computed
 // once. Single simplices (predicates.hpp) and many (block.cpp) share this code, which has to be
 // inlined.

@@ -15,8 +15,6 @@
 
 namespace circumspect::fast {
 
-// ---- Arithmetic ----
-
 namespace {
 
 TEST_CASE("F3: this build and machine compute as the bounds suppose") {
@@ -55,8 +53,6 @@ TEST_CASE("F3: denormal numbers that are flushed to zero are noticed") {
   }
 }
 #endif
-
-// ---- Fixed width ----
 
 template <std::size_t kLimbs>
 Integer value_of(const Fixed<kLimbs>& number) {
@@ -114,8 +110,6 @@ TEST_CASE("Dyadic: the least and the largest double, and both zeros") {
   CHECK(dyadic(12).mantissa == 3);
   CHECK(dyadic(12).exponent == 2);
 }
-
-// ---- Lattice ----
 
 double unit_of_all(const std::vector<double>& coordinates,
                    const std::vector<double>& weights = {}) {

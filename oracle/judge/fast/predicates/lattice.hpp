@@ -14,9 +14,7 @@
 
 namespace circumspect::fast {
 
-// ---- Dyadic ----
 // A double as an integer times a power of two.
-
 struct Dyadic {
   std::int64_t mantissa;  // odd, or 0
   int exponent;           // 0 if the mantissa is
@@ -40,7 +38,6 @@ inline Dyadic dyadic(double value) {
   return {bits >> 63 ? -odd : odd, (field == 0 ? 1 : field) - 1075 + zeros};
 }
 
-// ---- Lattice ----
 // Doubles are exact on differences of at most 512 units of a lattice that contains all points.
 
 // In units of a lattice, differences are integers; if none is above 2^9, and no difference of
@@ -102,7 +99,6 @@ inline Lattice lattice_of_all(std::span<const double> coordinates,
   return least < Lattice::kLeastExponent ? Lattice{} : Lattice{std::ldexp(1, least)};
 }
 
-// ---- Grid unit ----
 // Coordinates as integers in a common unit, which decide most exact signs.
 
 // The bits of a difference in one limb.

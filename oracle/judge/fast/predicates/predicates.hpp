@@ -74,8 +74,6 @@ class Ball<3, kWeighted> {
   SimplexFilter<3> filter_;
 };
 
-// ── Inline, for loops over all tetrahedra ────────────────────────────────────────────────────────
-
 inline int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages,
                        Lattice lattice) {
   const FilterRow2 from_a = row_from<false>(c, a), from_b = row_from<false>(c, b);
@@ -151,7 +149,6 @@ int Ball<3, kWeighted>::contains(const Site<3>& query, Stages& stages) const {
   return sign;
 }
 
-// ---- Row predicates ----
 // The predicates for rows of sites, whatever the dimension.
 
 template <std::size_t kDimension>

@@ -16,8 +16,6 @@
 
 namespace circumspect::fast {
 
-// ---- Reference signs ----
-
 struct ReferenceSigns::Exact {
   Configuration points;
   std::vector<std::size_t> axes;
@@ -76,7 +74,6 @@ TEST_CASE(
   CHECK(signs.ball({0, 1, 2, 4}) == 0);
 }
 
-// ---- Predicates ----
 // The laws of oracle/judge/fast/predicates/predicates.hpp, under their numbers.
 
 template <bool kWeighted>
@@ -200,8 +197,6 @@ TEST_CASE("F1: a weight far from the others in size decides") {
   }
 }
 
-// ---- Row predicates ----
-
 template <std::size_t kDimension>
 using Tuple = std::array<Site<kDimension>, kDimension + 2>;
 
@@ -255,7 +250,6 @@ TEST_CASE(
   hold_zeros<3>();
 }
 
-// ---- Exact ball ----
 // Several queries of one simplex get the same answers as single ones, by the same stages.
 
 template <std::size_t kDimension>

@@ -14,8 +14,6 @@
 
 namespace circumspect::fast {
 
-// ---- Tuples ----
-
 // The kinds of numbers that a tuple may have.
 enum class Kind {
   kUniform,      // 53 random bits below 1
@@ -113,7 +111,6 @@ class Tuples {
   std::uint64_t bits_ = 1;
 };
 
-// ---- Reference signs ----
 // The answers of kernel/predicates for sites.
 
 using Vertices = std::vector<std::ptrdiff_t>;
