@@ -245,6 +245,8 @@ if(CIRCUMSPECT_VALUES_FROM AND NOT sanitized_in_part)
 endif()
 # All that the tests need and nothing else.
 add_custom_target(circumspect_tests)
+# Those that `make coverage` runs.
+add_custom_target(circumspect_covered_tests)
 
 # circumspect_test(TARGET LABEL label SOURCES file... LINKS target... [DEFINES definition...])
 # makes one executable, and registers each source file as one test; does nothing without sources.
@@ -271,6 +273,9 @@ function(circumspect_test target)
   endif()
   add_executable(${target} ${ARG_SOURCES})
   add_dependencies(circumspect_tests ${target})
+  if(ARG_SOURCES MATCHES "${PROJECT_SOURCE_DIR}/(oracle|corpus|command|properties)/")
+    add_dependencies(circumspect_covered_tests ${target})
+  endif()
   circumspect_compile_quickly(${target})
   circumspect_compile_test(${target})
   circumspect_precompile(${target} tests)
