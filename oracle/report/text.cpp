@@ -53,8 +53,8 @@ std::string cell_text(const Witness& witness, const Domain* domain) {
   return text;
 }
 
-// Where corners are that are copies of points, since copies have the label of the point: " at (0, 1)
-// (1, 1)"; nothing of other meshes.
+// Where corners are that are copies of points, since copies have the label of the point:
+// " at (0, 1) (1, 1)"; nothing of other meshes.
 std::string places_text(const Simplex& corners, const Mesh& mesh) {
   std::string text;
   for (const Vertex v : corners) {
