@@ -31,8 +31,6 @@ constexpr std::array kSignatures = {
     Signature{"PK\x03\x04"sv, "a ZIP archive (unpack it first)"},
     Signature{"version https://git-lfs."sv,
               "a pointer of Git LFS in place of the file (git lfs pull fetches it)"},
-    Signature{"$NOD"sv,
-              "a mesh in version 1 of Gmsh's format (gmsh -0 IN.msh -format msh41 -o OUT.msh)"},
 };
 
 // The search for a beginning stops after so many bytes: the file may be large and consist of one
