@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "inputs/arrangement.hpp"
 #include "kernel/exact/point.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"
