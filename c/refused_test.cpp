@@ -72,7 +72,7 @@ TEST_CASE("calls that are wrong are refused, and say what was expected") {
           CIRCUMSPECT_INPUT_FAULT);
 
   const circumspect_mesh mesh = mesh_of(kPoints, kRight);
-  CHECK(check(nullptr, &mesh).status == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(check("", &mesh).status == CIRCUMSPECT_INVALID_ARGUMENT);
   CHECK(check("delauney", &mesh).status == CIRCUMSPECT_INVALID_ARGUMENT);
   CHECK(has(circumspect_last_error(), "one of triangulation delaunay weighted-delaunay"));
   CHECK(check("cdt", &mesh).status == CIRCUMSPECT_INVALID_ARGUMENT);

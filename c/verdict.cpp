@@ -19,6 +19,7 @@
 #include "c/kept_verdict.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/judge/cause/causes.hpp"
+#include "oracle/judge/default_claim.hpp"
 #include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
@@ -148,6 +149,15 @@ void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged
   notes.push_back(report::note_of_merged_points(repeated));
 }
 
+// What is meant where no claim is named. The points decide, so equal ones are settled before.
+Claim default_claim(Mesh& mesh, const Domain* domain, const circumspect_options& asked,
+                    std::vector<std::string>& notes) {
+  if (domain != nullptr) {
+    settle_equal_points(equal_points(mesh), asked.merge_equal_points != 0, mesh, notes);
+  }
+  return check::default_claim(mesh, domain, asked.within != nullptr);
+}
+
 Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_options& asked,
                const check::Options& options, std::vector<std::string>& notes) {
   const bool are_merged = asked.merge_equal_points != 0;
@@ -248,6 +258,7 @@ struct circumspect_verdict {
   bool holds = false;
   int unique = -1;
   int canonical = -1;
+  const char* claim = "";
   std::string text;
   std::string json;
   std::vector<std::pair<const char*, std::int64_t>> rules = {};
@@ -261,21 +272,22 @@ circumspect_verdict* c::kept_verdict(const Verdict& found, const Mesh& mesh, con
                                      std::vector<std::string> notes) {
   auto made = std::make_unique<circumspect_verdict>();
   made->notes = std::move(notes);
-  const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
+  const std::string shown = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
   made->holds = found.holds();
   made->unique = said(found.unique);
   made->canonical = said(found.canonical);
+  made->claim = name(found.claim()).data();
   made->text = report::explanation(found, mesh, domain) +
-               report::verdict_line(found, mesh, name, domain) + "\n";
+               report::verdict_line(found, mesh, shown, domain) + "\n";
   if (asked.without_json == 0 || asked.with_pictures != 0) {
     require_memory_for_json();
-    report::Json result = report::verdict(found, mesh, name, by, domain);
+    report::Json result = report::verdict(found, mesh, shown, by, domain);
     if (!made->notes.empty()) result["notes"] = made->notes;
     if (asked.without_json == 0) {
       made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
     }
     if (asked.with_pictures != 0) {
-      made->page.emplace().add(found, mesh, name, std::move(result), domain, made->notes);
+      made->page.emplace().add(found, mesh, shown, std::move(result), domain, made->notes);
     }
   }
   for (const auto& [rule, tally] : found.tallies()) {
@@ -294,11 +306,11 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
   if (verdict != nullptr) *verdict = nullptr;
   return c::guarded([&] {
     c::required(verdict, "a place for the verdict");
-    const Claim known = c::claim_of(claim, domain != nullptr);
+    std::optional<Claim> named;
+    if (claim != nullptr) named = c::claim_of(claim, domain != nullptr);
     const circumspect_options asked = c::asked_of(options);
     check::Options own = c::options_of(asked);
-    c::set_demands(asked.demands, known, own);
-    Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
+    Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), named == Claim::kWeightedDelaunay);
     if (asked.allow_empty == 0) {
       c::refuse_empty(judged, "; to judge an empty mesh, set allow_empty");
     }
@@ -315,6 +327,8 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     if (!unmeasured.empty()) c::refuse_call(unmeasured);
     const Domain* const filled = about ? &*about : nullptr;
     std::vector<std::string> notes;
+    const Claim known = named ? *named : c::default_claim(judged, filled, asked, notes);
+    c::set_demands(asked.demands, known, own);
     Verdict found = c::judged(known, judged, filled, asked, own, notes);
     if (asked.within == nullptr) found.causes = c::causes_of(found, judged, filled, own);
     *verdict = c::kept_verdict(found, judged, filled, asked, own.by, std::move(notes));
@@ -333,6 +347,10 @@ int circumspect_verdict_unique(const circumspect_verdict* verdict) {
 
 int circumspect_verdict_canonical(const circumspect_verdict* verdict) {
   return verdict == nullptr ? -1 : verdict->canonical;
+}
+
+const char* circumspect_verdict_claim(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? "" : verdict->claim;
 }
 
 const char* circumspect_verdict_text(const circumspect_verdict* verdict) {

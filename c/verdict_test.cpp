@@ -30,6 +30,41 @@ TEST_CASE("a mesh that holds, and its facts") {
   CHECK(circumspect_verdict_unique(check("triangulation", &mesh).verdict.get()) == -1);
 }
 
+TEST_CASE("where no claim is named, the points decide which one is judged") {
+  const auto judged = [](const std::vector<double>& points, const std::vector<std::int32_t>& rows,
+                         const circumspect_domain* domain, const circumspect_options* options) {
+    const circumspect_mesh mesh = mesh_of(points, rows);
+    const Checked found = check(nullptr, &mesh, domain, options);
+    REQUIRE(found.status == CIRCUMSPECT_OK);
+    const std::string claim = circumspect_verdict_claim(found.verdict.get());
+    CHECK(has(circumspect_verdict_text(found.verdict.get()), ": " + claim + " mesh "));
+    return claim;
+  };
+  const std::vector<std::int32_t> halves = {0, 1, 2, 0, 2, 3};
+  const circumspect_domain domain = square();
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  CHECK(judged(kPoints, kWrong, nullptr, nullptr) == "delaunay");
+  CHECK(judged(kCorners, halves, &domain, nullptr) == "cdt");
+  CHECK(judged({1, 0, 0, 0, 0, 1, 1, 1}, halves, &domain, nullptr) == "cdt");
+  const std::vector<double> centre = {0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5};
+  const std::vector<std::int32_t> fan = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+  CHECK(judged(centre, fan, &domain, nullptr) == "steiner-cdt");
+  // As many points, but other ones. With `within`, they may have been moved.
+  const std::vector<double> moved = {0, 0, 1, 0, 1, 1, 0, 1.0625};
+  CHECK(judged(moved, halves, &domain, nullptr) == "steiner-cdt");
+  options.within = "0.125";
+  CHECK(judged(moved, halves, &domain, &options) == "cdt");
+  // Equal points are settled before the points are counted.
+  const std::vector<double> torn = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 1};
+  const std::vector<std::int32_t> seam = {0, 1, 2, 4, 5, 3};
+  const circumspect_mesh split = mesh_of(torn, seam);
+  CHECK(check(nullptr, &split, &domain).status == CIRCUMSPECT_INPUT_FAULT);
+  options = CIRCUMSPECT_OPTIONS;
+  options.merge_equal_points = 1;
+  CHECK(judged(torn, seam, &domain, &options) == "cdt");
+  CHECK(std::string(circumspect_verdict_claim(nullptr)).empty());
+}
+
 TEST_CASE("a mesh alone: equal points break a rule, unless they are merged") {
   const std::vector<double> points = {0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 4, 4};
   const std::vector<std::int32_t> apart = {0, 1, 2, 3, 5, 4};

@@ -207,6 +207,21 @@ function(circumspect_compile_test target)
                                                DOCTEST_CONFIG_NO_TRY_CATCH_IN_ASSERTS)
 endfunction()
 
+# A program that reads options and leaves the work to the layers. `make test` has it compiled as
+# the tests are, in half the time; where it is not linked by mold, which would take the copies of
+# std::vector's functions from it, and where there are no tests, as in what is shipped, GCC
+# optimizes it a little.
+function(circumspect_compile_front target)
+  if(CIRCUMSPECT_BUILD_TESTS AND CIRCUMSPECT_TEST_LAUNCHER AND CIRCUMSPECT_MOLD)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_TEST_LAUNCHER}")
+    circumspect_link_quickly(${target})
+    circumspect_prefer_archives(${target} ${ARGN})
+  elseif(CIRCUMSPECT_QUICK_BUILD)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  endif()
+endfunction()
+
 # `make test` has the sanitizers look where bytes, arrays and processes are handled. They see the
 # fast judge and its threads through those who call it: the tests of C's and C++'s arrays. The rest
 # handles values: numbers, points and containers of them. `make soak-sanitize` runs all tests, the
@@ -216,7 +231,7 @@ set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/(process|targets))"
 # `make test` runs these under the sanitizers alone. `make check`, `make soak` and `make mutants`
 # run them in the release.
 option(CIRCUMSPECT_LEAVE_TO_SANITIZERS "Leave out the tests that the sanitizers of make test run" OFF)
-set(values_folders "^(oracle/judge$|(kernel|reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$))")
+set(values_folders "^(oracle/judge$|(kernel|reference|inputs|properties|oracle/(model|certificate|report|picture)|oracle/judge/(cause|complex|conditions|convex_hull|definition|domain|points|quality|surface|voronoi|within))(/|$))")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)

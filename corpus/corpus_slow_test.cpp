@@ -16,7 +16,7 @@ namespace circumspect::corpus {
 // time grows with the square of their number. `make test`, which tries a quarter of all inputs,
 // leaves out more.
 
-std::size_t too_many_by_definition() { return properties::one_input_in() > 1 ? 30 : 100; }
+std::size_t too_many_by_definition() { return properties::one_input_in() > 1 ? 20 : 100; }
 // Of a domain, definitions look at visibility, too.
 std::size_t too_many_in_domain() { return properties::one_input_in() > 1 ? 10 : 30; }
 

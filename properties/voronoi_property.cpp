@@ -121,7 +121,7 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
 TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram") {
   Outcomes seen;
   compare(2, 1200, seen);
-  compare(3, 40, seen);
+  compare(3, 24, seen);
   CHECK(occurs(seen.exact, 120));
   CHECK(occurs(seen.held, 6));
   for (const Rule rule : {Rule::kCellDiffers, Rule::kCellMissing, Rule::kVoronoiUnknownVertex}) {

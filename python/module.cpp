@@ -212,14 +212,14 @@ py::tuple parts_of(std::shared_ptr<circumspect_verdict> own, bool brief) {
   }
   py::object page = py::none();
   if (!brief) page = py::cpp_function([own] { return page_of(own.get()); });
-  return py::make_tuple(circumspect_verdict_holds(verdict) == 1,
+  return py::make_tuple(circumspect_verdict_claim(verdict), circumspect_verdict_holds(verdict) == 1,
                         circumspect_verdict_unique(verdict), circumspect_verdict_canonical(verdict),
                         circumspect_verdict_text(verdict), circumspect_verdict_json(verdict), rules,
                         notes, page);
 }
 
-// See parts_of. `brief`: for a mesh that is judged quickly.
-py::tuple check(const std::string& claim, const py::tuple& mesh,
+// See parts_of. No claim: the default one. `brief`: for a mesh that is judged quickly.
+py::tuple check(const std::optional<std::string>& claim, const py::tuple& mesh,
                 const std::optional<py::tuple>& domain, std::int64_t threads,
                 std::int64_t max_violations, bool by_definition, bool oriented, bool merge,
                 bool allow_empty, const std::optional<std::string>& within,
@@ -249,8 +249,9 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
   std::shared_ptr<circumspect_verdict> own;
   const auto call = [&] {
     circumspect_verdict* made = nullptr;
-    const circumspect_status status = circumspect_check(
-        claim.c_str(), argument.get(), about ? about->get() : nullptr, &options, &made);
+    const circumspect_status status =
+        circumspect_check(claim ? claim->c_str() : nullptr, argument.get(),
+                          about ? about->get() : nullptr, &options, &made);
     own.reset(made, circumspect_verdict_free);
     return status;
   };

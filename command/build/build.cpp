@@ -10,6 +10,7 @@
 #include "command/build/point_constructions.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
@@ -70,7 +71,8 @@ std::string facts(const BuildOptions& options, const ExactMesh& mesh,
   const bool unique =
       options.what == "delaunay"
           ? !delaunay::cospherical_points_of_an_empty_ball(mesh.points, triangulation)
-          : *check::weighted_delaunay({mesh.points, triangulation.simplices()}).unique;
+          : *check::judge_points(Claim::kWeightedDelaunay, {mesh.points, triangulation.simplices()})
+                 .unique;
   return unique ? " unique canonical" : " not-unique canonical";
 }
 
@@ -201,39 +203,29 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
   using delaunay::PointLocation;
   std::vector<std::string> names;
   for (const auto& [name, construction] : constructions()) names.push_back(name);
-  command
-      .add_option("--algorithm", options.algorithm,
-                  "The algorithm. All make the same set of simplices (default: bowyer-watson)")
-      ->check(one_of_words(names))
-      ->option_text(construction_names());
   const std::map<std::string, InsertionOrder> orders = {
       {"as-given", InsertionOrder::kAsGiven},
       {"random", InsertionOrder::kRandom},
       {"brio-hilbert", InsertionOrder::kBrioHilbert},
       {"brio-z-order", InsertionOrder::kBrioZOrder}};
-  command
-      .add_option("--order", options.bowyer_watson.order,
-                  "The order in which Bowyer-Watson inserts points (default: brio-hilbert)")
-      ->transform(one_of(orders))
-      ->option_text("as-given|random|brio-hilbert|brio-z-order");
   const std::map<std::string, PointLocation> locations = {
       {"linear-scan", PointLocation::kLinearScan},
       {"conflict-graph", PointLocation::kConflictGraph},
       {"walking", PointLocation::kWalking}};
-  command
-      .add_option("--location", options.bowyer_watson.location,
-                  "How Bowyer-Watson locates points (default: walking)")
-      ->transform(one_of(locations))
-      ->option_text("linear-scan|conflict-graph|walking");
-  command
-      .add_option("--seed", options.bowyer_watson.seed,
-                  "The seed of the random orders (default: 0)")
-      ->check(whole_number())
-      ->option_text("N");
-  command.add_flag(
-      "--statistics", options.statistics,
-      "Print how many simplices Bowyer-Watson created and deleted, and how many steps and "
-      "tests it took");
+  add_options(command,
+              {{"--algorithm", construction_names(), into(options.algorithm, one_of_words(names)),
+                "The algorithm. All make the same set of simplices (default: bowyer-watson)"},
+               {"--order", "as-given|random|brio-hilbert|brio-z-order",
+                into(options.bowyer_watson.order, one_of(orders)),
+                "The order in which Bowyer-Watson inserts points (default: brio-hilbert)"},
+               {"--location", "linear-scan|conflict-graph|walking",
+                into(options.bowyer_watson.location, one_of(locations)),
+                "How Bowyer-Watson locates points (default: walking)"},
+               {"--seed", "N", into(options.bowyer_watson.seed, whole_number()),
+                "The seed of the random orders (default: 0)"},
+               {"--statistics", "", flag(options.statistics),
+                "Print how many simplices Bowyer-Watson created and deleted, and how many steps "
+                "and tests it took"}});
 }
 
 CLI::App* add_triangulation(CLI::App& build, const std::string& what,
@@ -250,16 +242,12 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
       "Simplices are positively oriented, and indices are those of the input. The points are\n"
       "written to the .node beside the .ele, unless they come from there.",
       what));
-  command
-      ->add_option("points", options->points,
-                   "Points: .node, .json, .off, .xyz, .csv, .ply, or Qhull's form")
-      ->required();
-  command
-      ->add_option("-o,--output", options->output_file,
-                   "The file to write: .ele or .json; - writes the .ele to stdout")
-      ->option_text("OUT.ele");
-  command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
-      ->option_text("OUT.neigh");
+  add_options(*command, {{"points", "", required(options->points),
+                          "Points: .node, .json, .off, .xyz, .csv, .ply, or Qhull's form"},
+                         {"-o,--output", "OUT.ele", into(options->output_file),
+                          "The file to write: .ele or .json; - writes the .ele to stdout"},
+                         {"--neighbors", "OUT.neigh", into(options->neighbors_file),
+                          "Also write the .neigh file"}});
   if (what != "lexicographic") add_algorithm_options(*command, *options);
   const std::string steps =
       what == "lexicographic"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command/input/input.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
@@ -34,8 +35,10 @@ struct Listed {
 std::vector<Listed> list_all(const PointSet& points, optimality::VertexUse use) {
   std::vector<Listed> all;
   for (const Triangulation& triangulation : optimality::all_triangulations(points, use)) {
-    all.push_back({triangulation, check::delaunay({points, triangulation.simplices()}).holds(),
-                   optimality::heights_of_regular(points, triangulation).has_value()});
+    all.push_back(
+        {triangulation,
+         check::judge_points(Claim::kDelaunay, {points, triangulation.simplices()}).holds(),
+         optimality::heights_of_regular(points, triangulation).has_value()});
   }
   return all;
 }
@@ -116,16 +119,13 @@ void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code) {
       "  circumspect build all-triangulations cube.node\n"
       "\n"
       "Exit code 4 means that the set has more points than --max-points.");
-  command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
-      ->required();
-  command
-      ->add_option("--max-points", options->max_points,
-                   "Refuse sets of more than N points (default 9; 0: none)")
-      ->check(whole_number())
-      ->option_text("N");
-  command->add_flag(
-      "--some-points", options->some_points,
-      "Also list triangulations that leave out points, as flips of weighted triangulations do");
+  add_options(*command, {{"points", "", required(options->points),
+                          "Points: .node, .json, .off, or Qhull's form"},
+                         {"--max-points", "N", into(options->max_points, whole_number()),
+                          "Refuse sets of more than N points (default 9; 0: none)"},
+                         {"--some-points", "", flag(options->some_points),
+                          "Also list triangulations that leave out points, as flips of weighted "
+                          "triangulations do"}});
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

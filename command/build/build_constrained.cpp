@@ -13,6 +13,7 @@
 #include "command/build/steps.hpp"
 #include "command/input/breach_text.hpp"
 #include "command/input/domain_input.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
@@ -283,26 +284,19 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   options->what = what;
   CLI::App* command = build.add_subcommand(what, description);
   command->footer(footer(what));
-  command
-      ->add_option(
-          "domain", options->input_file,
-          "The domain: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp")
-      ->required();
-  command
-      ->add_option(
-          "-o,--output", options->output_file,
-          fmt::format(
-              "The file to write: {}; .obj and .ply have the surface, for viewers. - writes "
-              "the .ele to stdout, if there are neither dangling faces nor Steiner points",
-              fmt::join(endings_of_domain_meshes(), ", ")))
-      ->option_text("OUT.ele");
+  add_options(
+      *command,
+      {{"domain", "", required(options->input_file),
+        "The domain: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp"},
+       {"-o,--output", "OUT.ele", into(options->output_file),
+        fmt::format("The file to write: {}; .obj and .ply have the surface, for viewers. - writes "
+                    "the .ele to stdout, if there are neither dangling faces nor Steiner points",
+                    fmt::join(endings_of_domain_meshes(), ", "))}});
   if (!algorithms.empty()) {
-    command
-        ->add_option(
-            "--algorithm", options->algorithm,
-            "The algorithm. All that succeed make the same mesh, the canonical one (default: " +
-                usual_algorithm(what) + ")")
-        ->option_text(algorithms);
+    add_options(*command, {{"--algorithm", algorithms, into(options->algorithm),
+                            "The algorithm. All that succeed make the same mesh, the canonical "
+                            "one (default: " +
+                                usual_algorithm(what) + ")"}});
   }
   add_page_option(
       *command, options->html,
@@ -310,11 +304,9 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
                     : "the mesh, if it has few points");
   if (what == "cdt") add_search_options(*command, options->search);
   if (has_steiner_points(what)) {
-    command
-        ->add_option("--steiner-points", options->most_steiner_points,
-                     "Give up, with exit code 4, when more than N are needed (default: 10000)")
-        ->check(whole_number())
-        ->option_text("N");
+    add_options(*command,
+                {{"--steiner-points", "N", into(options->most_steiner_points, whole_number()),
+                  "Give up, with exit code 4, when more than N are needed (default: 10000)"}});
   }
   add_domain_options(*command, options->said);
   add_coordinates_option(*command, options->input);

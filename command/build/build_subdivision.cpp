@@ -7,6 +7,7 @@
 
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
@@ -100,18 +101,17 @@ void add_build_subdivision(CLI::App& build, ExitCode& exit_code) {
       "\n"
       "The text output lists the points of each cell. The JSON output has the faces of all "
       "dimensions.");
-  command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
-      ->required();
   std::vector<std::string> names;
   for (const auto& [name, construction] : subdivisions()) names.push_back(name);
-  command
-      ->add_option("--algorithm", options->algorithm,
-                   "The algorithm. All make the same complex (default: lifted-hull)")
-      ->check(one_of_words(names))
-      ->option_text("by-definition|gift-wrapping-cells|lifted-hull");
-  command->add_flag(
-      "--weighted", options->input.weighted,
-      "Use the weights: the first attribute of a .node file, or the key weights of JSON");
+  add_options(
+      *command,
+      {{"points", "", required(options->points), "Points: .node, .json, .off, or Qhull's form"},
+       {"--algorithm", "by-definition|gift-wrapping-cells|lifted-hull",
+        into(options->algorithm, one_of_words(names)),
+        "The algorithm. All make the same complex (default: lifted-hull)"},
+       {"--weighted", "", flag(options->input.weighted),
+        "Use the weights: the first attribute of a .node file, or the key weights of "
+        "JSON"}});
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

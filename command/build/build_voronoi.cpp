@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "command/input/input.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
@@ -147,8 +148,8 @@ void add_build_voronoi(CLI::App& build, ExitCode& exit_code) {
       "\n"
       "The text output is as that of qvoronoi o Fv, which check --claim voronoi reads; each "
       "coordinate is the double next to the exact one. The JSON output has both.");
-  command->add_option("points", options->points, "Sites: .node, .json, .off, or Qhull's form")
-      ->required();
+  add_options(*command, {{"points", "", required(options->points),
+                          "Sites: .node, .json, .off, or Qhull's form"}});
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

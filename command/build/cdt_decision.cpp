@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/star_index.hpp"
@@ -120,19 +121,13 @@ CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits
 }
 
 void add_search_options(CLI::App& command, SearchLimits& limits) {
-  command
-      .add_option(
-          "--search-vertices", limits.vertices,
-          "If there is no canonical CDT, search for another one in domains of at most N vertices "
-          "(default 60)")
-      ->check(whole_number())
-      ->option_text("N");
-  command
-      .add_option(
-          "--search-conflicts", limits.conflicts,
-          "Give up this search after N conflicts of the SAT solver (default 1000000; 0: never)")
-      ->check(whole_number())
-      ->option_text("N");
+  add_options(
+      command,
+      {{"--search-vertices", "N", into(limits.vertices, whole_number()),
+        "If there is no canonical CDT, search for another one in domains of at most N vertices "
+        "(default 60)"},
+       {"--search-conflicts", "N", into(limits.conflicts, whole_number()),
+        "Give up this search after N conflicts of the SAT solver (default 1000000; 0: never)"}});
 }
 
 }  // namespace circumspect::cli

@@ -22,6 +22,7 @@
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
+#include "oracle/judge/default_claim.hpp"
 #include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
@@ -103,8 +104,7 @@ void certify(const CertifyOptions& options, Output& output) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
     return;
   }
-  const Claim claim = options.asked.value_or(
-      about == nullptr ? Claim::kDelaunay : default_claim(loaded->mesh, *about));
+  const Claim claim = options.asked.value_or(check::default_claim(loaded->mesh, about));
   const check::Options judging = {.by = options.by, .threads = threads};
   if (const std::string missing = check::fault_of_claim(claim, loaded->mesh, judging);
       !missing.empty()) {

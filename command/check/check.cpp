@@ -20,6 +20,7 @@
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/judge/cause/causes.hpp"
+#include "oracle/judge/default_claim.hpp"
 #include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/model/printable.hpp"
@@ -116,7 +117,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  const Claim claim = options.claim.value_or(Claim::kDelaunay);
+  const Claim claim = options.claim.value_or(check::default_claim(loaded->mesh, nullptr));
   const std::string fault = check::fault_of_claim(claim, loaded->mesh, options.check);
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
@@ -215,8 +216,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   }
   if (misses_measures(path, mesh, options, output)) return;
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
-  const Claim claim =
-      options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
+  const Claim claim = options.claim.value_or(
+      check::default_claim(mesh, &domain.domain, options.within.has_value()));
   auto verdict = judged_against(path, claim, *loaded, against, options, output);
   if (!verdict) return;
   check::Causes causes = check::causes(*verdict, mesh, [&](const Mesh& mended) {

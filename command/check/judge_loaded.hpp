@@ -1,11 +1,8 @@
 // Judges a mesh that was read from files.
 #pragma once
 
-#include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -26,21 +23,6 @@ inline tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& 
   auto verdict = check::judge(claim, loaded.mesh, domain, options);
   if (verdict) return std::move(*verdict);
   return tl::unexpected(equal_points_fault(loaded, verdict.error().repeated));
-}
-
-// What is claimed of a mesh and a domain where nobody says it: a CDT, which is a Steiner CDT if the
-// mesh has other vertices than the domain; more of them, if they may have been moved.
-inline Claim default_claim(const Mesh& mesh, const Domain& domain, bool may_be_moved = false) {
-  const PointSet& vertices = domain.complex.points;
-  bool same = mesh.points() == vertices.size();
-  if (same && !may_be_moved) {
-    std::vector<Point> of_mesh = mesh.exact_points();
-    std::vector<Point> of_domain = vertices.points();
-    std::sort(of_mesh.begin(), of_mesh.end());
-    std::sort(of_domain.begin(), of_domain.end());
-    same = of_mesh == of_domain;
-  }
-  return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
 
 }  // namespace circumspect::cli

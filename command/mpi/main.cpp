@@ -13,6 +13,7 @@
 #include <mpi.h>
 
 #include "command/options/one_of.hpp"
+#include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "kernel/exact/number.hpp"
@@ -25,6 +26,7 @@
 
 namespace {
 
+namespace cli = circumspect::cli;
 using circumspect::Claim;
 using circumspect::cli::ExitCode;
 using circumspect::distributed::Judged;
@@ -36,7 +38,7 @@ struct MpiOptions {
   Claim claim = Claim::kDelaunay;
   circumspect::check::Options check;
   bool statistics = false;
-  bool json = false;
+  std::string format = "text";
 };
 
 void add_options(CLI::App& app, MpiOptions& options) {
@@ -46,37 +48,29 @@ void add_options(CLI::App& app, MpiOptions& options) {
       "Example:\n"
       "  mpirun -n 4 circumspect-mpi mesh.npy --points points.npy\n\n"
       "Exit codes and what is said: as of circumspect check, for any number of ranks.");
-  app.add_option("mesh", options.files.mesh,
-                 "The mesh: .ele (points in the .node beside it), or .npy (with --points)")
-      ->required();
-  app.add_option("--points", options.files.points, "The file with the points: .npy or .node")
-      ->option_text("FILE");
-  app.add_option("--indices", options.files.indices,
-                 "A mesh in parts, one for each rank: the file that says which point of the whole "
-                 "each point of a part is. In the names of all three files %d stands for the rank")
-      ->option_text("FILE");
   const std::map<std::string, Claim> claims = {{"triangulation", Claim::kTriangulation},
                                                {"delaunay", Claim::kDelaunay},
                                                {"weighted-delaunay", Claim::kWeightedDelaunay}};
-  app.add_option("--claim", options.claim,
-                 "The claim to judge (default: delaunay). Weights are the first attribute of a "
-                 ".node file")
-      ->transform(circumspect::cli::one_of(claims))
-      ->option_text("triangulation|delaunay|weighted-delaunay");
-  app.add_option("--max-errors", options.check.max_violations,
-                 "Report at most N witnesses (default: 20; 0: all)")
-      ->check(circumspect::cli::whole_number())
-      ->option_text("N");
-  app.add_option("--threads", options.check.threads, "Threads of each rank (default: 1)")
-      ->check(circumspect::cli::whole_number(1, 1024))
-      ->option_text("N");
-  app.add_option_function<std::string>(
-         "--format", [&options](const std::string& word) { options.json = word == "json"; },
-         "As what the verdict is printed (default: text)")
-      ->check(circumspect::cli::one_of_words({"text", "json"}))
-      ->option_text("text|json");
-  app.add_flag("--statistics", options.statistics,
-               "Also print, to standard error, what each phase cost each rank");
+  cli::add_options(
+      app,
+      {{"mesh", "", cli::required(options.files.mesh),
+        "The mesh: .ele (points in the .node beside it), or .npy (with --points)"},
+       {"--points", "FILE", cli::into(options.files.points),
+        "The file with the points: .npy or .node"},
+       {"--indices", "FILE", cli::into(options.files.indices),
+        "A mesh in parts, one for each rank: the file that says which point of the whole each "
+        "point of a part is. In the names of all three files %d stands for the rank"},
+       {"--claim", "triangulation|delaunay|weighted-delaunay",
+        cli::into(options.claim, cli::one_of(claims)),
+        "The claim to judge (default: delaunay). Weights are the first attribute of a .node file"},
+       {"--max-errors", "N", cli::into(options.check.max_violations, cli::whole_number()),
+        "Report at most N witnesses (default: 20; 0: all)"},
+       {"--threads", "N", cli::into(options.check.threads, cli::whole_number(1, 1024)),
+        "Threads of each rank (default: 1)"},
+       {"--format", "text|json", cli::into(options.format, cli::one_of_words({"text", "json"})),
+        "As what the verdict is printed (default: text)"},
+       {"--statistics", "", cli::flag(options.statistics),
+        "Also print, to standard error, what each phase cost each rank"}});
 }
 
 void print(std::FILE* to, const std::string& text) {
@@ -115,7 +109,7 @@ void print_statistics(Ranks& ranks) {
 // What is printed at the first rank.
 std::string said(const Judged& judged, const MpiOptions& options) {
   namespace report = circumspect::report;
-  if (options.json) {
+  if (options.format == "json") {
     return document(report::verdict(*judged.verdict, judged.named, options.files.mesh,
                                     circumspect::check::By::kLemma));
   }
@@ -133,7 +127,7 @@ std::string said(const Judged& judged, const MpiOptions& options) {
 
 // One line on standard error, and in JSON what circumspect check has there.
 ExitCode say_of_mesh(const MpiOptions& options, const std::string& message) {
-  if (options.json) {
+  if (options.format == "json") {
     print(stdout, document({{"mesh", options.files.mesh}, {"error", message}}));
   }
   return say(ExitCode::kInputFault, message);

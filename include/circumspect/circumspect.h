@@ -202,8 +202,10 @@ typedef struct circumspect_options {
 typedef struct circumspect_verdict circumspect_verdict;
 
 /* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", "complex",
- * "convex-hull" (of a list of facets), "surface-delaunay" (of triangles), or, with a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt",
- * "conforming-delaunay". Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and
+ * "convex-hull" (of a list of facets), "surface-delaunay" (of triangles), or, with a domain,
+ * "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay". NULL means
+ * what the command means where no claim is named: "delaunay"; with a domain "cdt" if the mesh has the
+ * points of the domain (with `within`, as many), else "steiner-cdt". Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and
  * so is a mesh without points and simplices, the usual output of a program that failed, unless it
  * is allowed. An index that names no point is the mesh's fault, and the verdict says so. For
  * "complex", equal points break a rule, and a mesh without simplices is CIRCUMSPECT_INPUT_FAULT.
@@ -226,6 +228,8 @@ CIRCUMSPECT_API void circumspect_verdict_free(circumspect_verdict* verdict); /* 
 CIRCUMSPECT_API int circumspect_verdict_holds(const circumspect_verdict* verdict);
 CIRCUMSPECT_API int circumspect_verdict_unique(const circumspect_verdict* verdict);
 CIRCUMSPECT_API int circumspect_verdict_canonical(const circumspect_verdict* verdict);
+/* The claim that was judged, by its name. Never NULL; empty if the verdict is. */
+CIRCUMSPECT_API const char* circumspect_verdict_claim(const circumspect_verdict* verdict);
 /* What the command prints: witnesses and the line of the verdict; the JSON document, one result. Never
  * NULL; empty if the verdict is. */
 CIRCUMSPECT_API const char* circumspect_verdict_text(const circumspect_verdict* verdict);

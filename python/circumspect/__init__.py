@@ -18,7 +18,7 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _core
 from ._core import InputError, NoTriangulation, Undecided
 from .campaigns import Campaign, Finding, campaign, minimize
-from .domains import Domain, default_claim, domain_of, in_plane_of
+from .domains import Domain, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
 from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of
 from .voronoi import diagram_of, parts_of as diagram_parts
@@ -98,15 +98,13 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         filled = domain_of(domain)
         about = filled.parts()
         mesh = in_plane_of(mesh, filled)
-        claim = claim or default_claim(mesh, filled, within is not None)
     elif within is not None:
         raise ValueError("expected a domain beside within, found None")
-    claim = claim or "delaunay"
     words = demands if isinstance(demands, str) else " ".join(demands)
     distance = None if within is None else number_text(within, "a distance")
-    return Verdict(claim, _core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
-                                      by == "definition", oriented, merge, allow_empty, distance, words, name,
-                                      seconds_of(limit), False, requirements_of(require), except_sharp))
+    return Verdict(_core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
+                               by == "definition", oriented, merge, allow_empty, distance, words, name,
+                               seconds_of(limit), False, requirements_of(require), except_sharp))
 
 
 def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), *, within: Any = 0,
@@ -131,8 +129,8 @@ def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: A
     if by not in ("lemma", "definition"):
         raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
     parts = diagram_parts(diagram_of(sites, vertices, cells, ridges), box)
-    return Verdict("voronoi", _core.check_voronoi(*parts, number_text(within, "a distance"), max_errors,
-                                                  by == "definition", name, seconds_of(limit)))
+    return Verdict(_core.check_voronoi(*parts, number_text(within, "a distance"), max_errors, by == "definition", name,
+                                       seconds_of(limit)))
 
 
 def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:

@@ -126,8 +126,8 @@ class Subject:
         about = None if case.domain is None else case.domain.parts()
         try:
             # An input always has points, so an empty mesh is wrong, and not a fault of the input.
-            verdict = Verdict(self.claim, _core.check(self.claim, guarded(value).parts(), about, 1, 3, False, False, self.merge,
-                                                      True, self.within, "", "mesh", 0, True))
+            verdict = Verdict(_core.check(self.claim, guarded(value).parts(), about, 1, 3, False, False, self.merge,
+                                          True, self.within, "", "mesh", 0, True))
         except _core.Undecided:
             return Outcome("")
         except _core.InputError as error:

@@ -195,14 +195,6 @@ def domain_of(domain: Any) -> Domain:
     return Domain(points, edges, polygons=simplices.tolist())
 
 
-def default_claim(mesh: Mesh, domain: Domain, are_moved: bool) -> str:
-    """The default claim, as in the command: a CDT, or a Steiner CDT if the mesh has other points than the domain; if
-    points may have been moved, another number of points."""
-    points, given = distinct_rows(mesh.points), distinct_rows(domain.own_points)
-    same = len(points) == len(given) if are_moved else points == given
-    return "cdt" if same else "steiner-cdt"
-
-
 def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:
     """The mesh without its third coordinate, if that is the same for all points and the domain is planar."""
     points = mesh.points

@@ -53,11 +53,11 @@ class Verdict:
     ([3], Fraction(1, 2))
     """
 
-    def __init__(self, claim: str, parts: tuple):
-        self.claim = claim
+    def __init__(self, parts: tuple):
+        self.claim: str
         self.holds: bool
         self.notes: List[str]  # what was judged differently from what was passed in
-        self.holds, unique, canonical, self.text, self.json, rules, self.notes, self._page = parts
+        self.claim, self.holds, unique, canonical, self.text, self.json, rules, self.notes, self._page = parts
         self.rules: Dict[str, int] = rules  # the broken ones, and how often each is
         # For a Delaunay claim that holds: is it the only triangulation, is it the canonical one?
         # Else None.

@@ -163,7 +163,7 @@ void check_planted(std::size_t side) {
 
 TEST_CASE("causes: one that is planted is named, under each claim") {
   check_planted<2>(7);
-  check_planted<3>(6);
+  check_planted<3>(5);
 }
 
 template <std::size_t kDimension>
