@@ -31,7 +31,7 @@ TEST_CASE("check --resolve: segments that cross are judged as their arrangement"
   CHECK(refused.exit_code == 3);
   CHECK(has(refused.err, "plc.crossing-segments"));
   const Run resolved = run({"check", square.mesh, "--domain", square.domain, "--resolve"});
-  CHECK_MESSAGE(resolved.exit_code == 0, resolved.out + resolved.err);
+  CHECK_MESSAGE(resolved.exit_code == 0, (resolved.out + resolved.err));
   CHECK(
       has(resolved.out,
           "d.poly: 6 segments resolved into 8, with 1 vertex where they meet, numbered from 4\n"));
@@ -57,7 +57,7 @@ TEST_CASE("check --resolve: overlaps, repeated points and what it does not go wi
   square.folder.write("y.node", "4 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n");
   const std::string two = square.folder.write("y.ele", "2 3 0\n0 0 1 2\n1 0 2 3\n");
   const Run tidy = run({"check", two, "--domain", untidy, "--resolve"});
-  CHECK_MESSAGE(tidy.exit_code == 0, tidy.out + tidy.err);
+  CHECK_MESSAGE(tidy.exit_code == 0, (tidy.out + tidy.err));
   CHECK(has(tidy.out, "; 1 equal point merged\n"));
   CHECK(run({"check", two, "--resolve"}).exit_code == 2);
   CHECK(run({"certify", two, "--domain", untidy, "--resolve"}).exit_code == 2);
@@ -68,7 +68,7 @@ TEST_CASE("check --drop: a terrain is judged as it is seen from above") {
   const std::string terrain = folder.write("t.obj", kTerrain);
   CHECK(run({"check", terrain}).exit_code == 1);
   const Run seen = run({"check", terrain, "--drop", "z"});
-  CHECK_MESSAGE(seen.exit_code == 0, seen.out + seen.err);
+  CHECK_MESSAGE(seen.exit_code == 0, (seen.out + seen.err));
   CHECK(has(seen.out, "note: " + terrain + ": the coordinate z was left out (--drop)\n"));
   CHECK(has(seen.out, "holds: delaunay " + terrain + " 5 points 4 triangles"));
   // Along y the points are 0 1, 4 2, 4 0, 0 3, 2 5, and triangles lie over one another.
@@ -113,7 +113,7 @@ TEST_CASE("check --within: a polygon whose corners were rounded off its plane is
   const std::string domain = domain_of("1.0000000000000002");
   CHECK(run({"check", mesh, "--domain", domain, "--claim", "plc-triangulation"}).exit_code == 3);
   const Run holds = judged(domain, mesh, "1e-12");
-  CHECK_MESSAGE(holds.exit_code == 0, holds.out + holds.err);
+  CHECK_MESSAGE(holds.exit_code == 0, (holds.out + holds.err));
   CHECK(has(holds.out, "c.poly: 1 polygon taken for flat, whose corners are up to a distance of "));
   // The distance bounds how uneven a polygon may be, and a missing cell is still missing.
   const Run uneven = judged(domain, mesh, "1e-18");
@@ -122,7 +122,7 @@ TEST_CASE("check --within: a polygon whose corners were rounded off its plane is
   folder.write("d.node", points_of("1.0000000000000002"));
   const std::string hole = folder.write("d.ele", "5 4 0\n" + cells.substr(6, 50));
   const Run fails = judged(domain, hole, "1e-12");
-  CHECK_MESSAGE(fails.exit_code == 1, fails.out + fails.err);
+  CHECK_MESSAGE(fails.exit_code == 1, (fails.out + fails.err));
   CHECK(judged(domain_of("1.5"), mesh, "1e-12").exit_code == 3);
 }
 

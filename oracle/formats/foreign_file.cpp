@@ -91,7 +91,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   if (is_fluent(lines.tokens()[0])) {
     return "a mesh of Fluent (" + read_by_meshio("IN" + end, "ansys") + ")";
   }
-  if (is_abaqus(Beginning(beginning)) && end != ".inp" && format_of(end) != nullptr) {
+  const Format* const read_as = format_of(end, beginning);
+  if (is_abaqus(Beginning(beginning)) && read_as != nullptr && read_as->elements != read_abaqus) {
     return "a mesh of Abaqus (give its name the ending .inp)";
   }
   if (is_gid(lines.tokens())) {
