@@ -52,8 +52,8 @@ TEST_CASE("check --resolve: overlaps, repeated points and what it does not go wi
   const Crossing square;
   const std::string untidy =
       square.folder.write("u.poly",
-                          "5 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 0 0\n6 0\n0 0 1\n1 1 0\n2 1 2\n3 "
-                          "2 3\n4 3 4\n5 0 0\n0\n");
+                          "5 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 0 0\n5 0\n0 0 1\n1 1 0\n2 1 2\n3 "
+                          "2 3\n4 3 4\n0\n");
   square.folder.write("y.node", "4 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n");
   const std::string two = square.folder.write("y.ele", "2 3 0\n0 0 1 2\n1 0 2 3\n");
   const Run tidy = run({"check", two, "--domain", untidy, "--resolve"});
