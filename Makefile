@@ -80,6 +80,12 @@ web web-soak: deps-web
 	@NODE_PATH=build/web/modules/node_modules node command/web/web_test.mjs build/web $(if $(filter web-soak,$@),--all)
 	@echo "built $(CURDIR)/build/web/index.html"
 
+# The package for npm, and its tests: as its users ask it, in a project that installs it, and in Chromium.
+npm: deps-web
+	@JOBS=$(JOBS) js/build.sh build/web
+	@js/test.sh build/web
+	@echo "built $(CURDIR)/build/web/circumspect-oracle-*.tgz"
+
 # Debian packages of the command, the libraries and the Python package, in build/deb; lintian looks at them.
 deb: deps-deb
 	@JOBS=$(JOBS) cmake/deb.sh build/deb

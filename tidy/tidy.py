@@ -60,6 +60,7 @@ ARROWS = {
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
     "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
           "inputs/triangulated"],
+    "js": ["c"],
     "python": ["c", "fuzz/harness"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
     **{folder: COMMAND for folder in COMMAND_FOLDERS},

@@ -69,6 +69,20 @@ TEST_CASE("whatever byte a journal is cut off at, it goes on from the last whole
   }
 }
 
+TEST_CASE("a finding that is found again, since its case was lost in a crash, is one finding") {
+  const formats::ScratchFolder folder;
+  for (const std::size_t first : {1, 2}) {
+    auto journal = Journal::open(folder.path("out"), kSettings);
+    REQUIRE(journal);
+    if (first == 1) journal->add_case(0, {"grid", "holds", false, 7});
+    journal->add_finding("hang", first);
+  }
+  const auto journal = Journal::open(folder.path("out"), kSettings);
+  REQUIRE(journal);
+  REQUIRE(journal->findings().size() == 1);
+  CHECK(journal->findings()[0].case_number == 1);
+}
+
 TEST_CASE("a journal of another campaign is refused, and says why") {
   const formats::ScratchFolder folder;
   {

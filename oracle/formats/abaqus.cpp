@@ -18,8 +18,8 @@
 namespace circumspect::formats {
 namespace {
 
-// Types by their names: the longest that a name begins with counts, and what follows it (R: reduced
-// integration, H: hybrid, …) says nothing about the shape.
+// Types by what their names begin with: the letters that follow (R: reduced integration, H: hybrid,
+// …) say nothing about the shape. No two of them begin one name.
 struct AbaqusType {
   std::string_view name;
   std::size_t nodes;
@@ -72,15 +72,14 @@ constexpr std::array kAbaqusTypes = {
 };
 
 const AbaqusType* abaqus_type_of(std::string_view name) {
-  const AbaqusType* found = nullptr;
-  for (const AbaqusType& type : kAbaqusTypes) {
-    if (!name.starts_with(type.name)) continue;
-    // "C3D10" is no "C3D1" with something behind it.
-    const std::string_view behind = name.substr(type.name.size());
-    if (!behind.empty() && std::isdigit(static_cast<unsigned char>(behind.front())) != 0) continue;
-    if (found == nullptr || found->name.size() < type.name.size()) found = &type;
-  }
-  return found;
+  const auto* const found =
+      std::find_if(kAbaqusTypes.begin(), kAbaqusTypes.end(), [&](const AbaqusType& type) {
+        if (!name.starts_with(type.name)) return false;
+        // "C3D10" is no "C3D1" with something behind it.
+        const std::string_view behind = name.substr(type.name.size());
+        return behind.empty() || std::isdigit(static_cast<unsigned char>(behind.front())) == 0;
+      });
+  return found == kAbaqusTypes.end() ? nullptr : found;
 }
 
 // The text line by line; comments and empty lines are skipped.

@@ -281,6 +281,8 @@ TEST_CASE("gmsh 2: what is refused") {
         "f:5: expected the number of nodes, 0 or more, found -1");
   CHECK(error_of(gmsh(kHeader2 + "$Nodes\n1\n1 0 0 0\n2 0 0 0\n$EndNodes\n")) ==
         "f:7: expected \"$EndNodes\", found \"2\"");
+  CHECK(error_of(gmsh(elements_2("1 1 -1 1 2\n"))) ==
+        "f:13: expected the number of tags of element 1 of 1, 0 or more, found -1");
   CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 x\n"))) ==
         "f:13: expected a node of an edge, an integer, found \"x\"");
   for (const std::string type : {"-1", "0", "141", "9223372036854775807"}) {

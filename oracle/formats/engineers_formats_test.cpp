@@ -177,4 +177,37 @@ TEST_CASE("abaqus: faults and their lines") {
         "f:5: expected the tag of a node below *Node, found 2");
 }
 
+TEST_CASE("abaqus: what would make the mesh another one than is listed is refused") {
+  const std::string nodes = "*Node\n1, 0, 0, 0\n2, 1, 0, 0\n",
+                    edge = "*Element, type=T3D2\n1, 1, 2\n";
+  CHECK(abaqus_error(nodes + edge) == "no error");
+  for (const char* const line :
+       {"*Include, input=x.inp", "*Ngen", "*Nfill", "*Ncopy", "*Elgen", "*Elcopy", "*System",
+        "*Transform nodes", "*Node, input=x.inp", "*Element, type=T3D2, input=x.inp",
+        "*Node, system=S", "*Element, type=C3D45", "*Element, type=S33",
+        "*Part, name=a\n*Part, name=b",
+        "*Instance, name=a, part=a\n*End instance\n*Instance, name=b, part=a"}) {
+    CAPTURE(line);
+    CHECK(abaqus_error(nodes + edge + line + "\n") != "no error");
+  }
+  CHECK(abaqus_error("*Node\n1, 0, 0, 0, 1, 0, 0\n2, 1, 0, 0\n" + edge) == "no error");
+  CHECK(abaqus_error("*Node\n1, 0, 0, 0, 1, 0, 0, 0\n2, 1, 0, 0\n" + edge) ==
+        "f:2: expected a tag and 3 coordinates of a node, found 8 fields");
+  // A comma behind the last node goes on to no further line.
+  CHECK(abaqus_error(nodes + "*Element, type=T3D2\n1, 1, 2,\n2, 2, 1\n") == "no error");
+}
+
+TEST_CASE("su2: what is there twice is refused") {
+  const std::string once = "NDIME= 2\nNPOIN= 2\n0 0\n1 0\nNELEM= 1\n3 0 1\n";
+  CHECK(su2_error(once) == "no error");
+  for (const char* const again :
+       {"NDIME= 2\n", "NPOIN= 1\n0 0\n", "NELEM= 1\n3 1 0\n", "NZONE= 2\n"}) {
+    CAPTURE(again);
+    CHECK(su2_error(once + again) != "no error");
+  }
+  CHECK(su2_error("NZONE= 1\n" + once) == "no error");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0\nNELEM= 1\n3 0 1 7 8\n") ==
+        "f:5: expected type 3, 2 vertices and perhaps an index, found 5 columns");
+}
+
 }  // namespace circumspect::formats

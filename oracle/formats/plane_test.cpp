@@ -99,8 +99,9 @@ TEST_CASE("what has cells of space stays there, wherever its points are") {
 
 TEST_CASE("only the third coordinate is left out, and only if it is exactly the same") {
   const ScratchFolder folder;
-  for (const std::string points : {"5 0 0\n5 1 0\n5 1 1\n", "0 5 0\n1 5 0\n1 5 1\n",
-                                   "0 0 1\n1 0 1\n0 1 1.0000000000000002\n"}) {
+  for (const std::string points :
+       {"5 0 0\n5 1 0\n5 1 1\n", "0 5 0\n1 5 0\n1 5 1\n", "0 0 1.0000000000000002\n1 0 1\n0 1 1\n",
+        "0 0 1\n1 0 1.0000000000000002\n0 1 1\n", "0 0 1\n1 0 1\n0 1 1.0000000000000002\n"}) {
     const std::string off = "OFF\n3 1 0\n" + points + "3 0 1 2\n";
     CHECK(dimension_of(folder, "x.off", off) == 3);
     const auto domain = read_domain(folder.write("y.off", off), kDouble);

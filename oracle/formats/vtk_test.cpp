@@ -75,6 +75,17 @@ TEST_CASE("vtk: numbers in text are what is written; binary floats are exact") {
         "byte 72, in POINTS");
 }
 
+TEST_CASE("vtk: a cell is what its own type says, whatever those beside it are") {
+  const std::string cells = kPoints + "CELLS 2 10\n4 0 1 2 3\n4 0 1 3 2\nCELL_TYPES 2\n";
+  const auto first = vtk(grid(cells + "10\n9\n")), last = vtk(grid(cells + "9\n10\n"));
+  REQUIRE_MESSAGE(first, error_of(first));
+  REQUIRE_MESSAGE(last, error_of(last));
+  CHECK(first->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(first->polygons.simplices == std::vector<Simplex>{{0, 1, 3, 2}});
+  CHECK(last->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 3, 2}});
+  CHECK(last->polygons.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+}
+
 TEST_CASE("vtk: what is refused") {
   CHECK(error_of(vtk("vtk")) == "f:1: expected \"# vtk DataFile Version …\", found \"vtk\"");
   CHECK(error_of(vtk("# vtk DataFile Version 3.0\n\nTEXT\n")) ==
@@ -88,6 +99,9 @@ TEST_CASE("vtk: what is refused") {
         "f:6: expected a coordinate of point 1 of 999999999999, found the end of the file");
   CHECK(error_of(vtk(grid(kPoints + kPoints))) ==
         "f:8: expected one section POINTS, found \"POINTS\"");
+  const std::string cells = "CELLS 1 5\n4 0 1 2 3\n";
+  CHECK(error_of(vtk(grid(kPoints + cells + cells))) ==
+        "f:10: expected one section CELLS, found \"CELLS\"");
   CHECK(error_of(vtk(grid(kPoints + "CELLS 1 5\n4 0 1 2 3\n"))) ==
         "f:9: expected as many CELL_TYPES as CELLS, 1, found 0");
   CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n4 0 1 2 3\nCELL_TYPES 1\n10\n"))) ==
@@ -191,6 +205,9 @@ TEST_CASE("vtu: what is refused") {
         "f:5: expected the end of the points, found \"7\"");
   CHECK(error_of(xml(document(piece("0 0 0\n1 0 0\n0 x 0", "0 1 2")))) ==
         "f:7: expected a coordinate of point 3 of 3, a finite number, found \"x\"");
+  std::string negative = document(piece(kThree, "0 1 2"));
+  CHECK(error_of(xml(negative.replace(negative.find("ascii\">3<") + 7, 1, "-3"))) ==
+        "f:7: expected offsets of 0 or more, found -3");
   CHECK(error_of(xml(document(piece(kThree, "0 1")))) ==
         "f:8: expected one of 3 connectivity, found the end of the file");
 }
@@ -222,9 +239,26 @@ TEST_CASE("vtu: bytes that are not what their lengths promise") {
   std::string broken = packed;
   CHECK(error_of(xml(broken.replace(head + 20, 4, "abcd"))) ==
         "f:6: expected block 1 of 2, compressed, of 50 bytes, found other data");
-  std::string far = raw;
-  CHECK(error_of(xml(far.replace(far.find("offset=\"0\""), 10, "offset=\"999\"")))
-            .starts_with("f:6: expected an offset within the "));
+  std::string longer = packed;
+  CHECK(error_of(xml(longer.replace(head + 4, 4, stored(51, 4, ByteOrder::kLittleEndian)))) ==
+        "f:6: expected block 1 of 2, compressed, of 51 bytes, found other data");
+  // Two sizes of blocks whose sum is 1, if more than 64 bits are cut off.
+  std::string wrapped = vtu(mesh, {kAppendedRaw, true, ByteOrder::kLittleEndian, 8});
+  const std::size_t sizes = wrapped.find("\n_") + 2 + 24;
+  wrapped.replace(sizes, 16, std::string(8, '\xff') + stored(2, 8, ByteOrder::kLittleEndian));
+  CHECK(error_of(xml(wrapped)) == "f:6: expected compressed blocks, found the end of the data");
+  const auto with_offset = [&](std::size_t offset) {
+    std::string far = raw;
+    const std::string attribute = "offset=\"" + std::to_string(offset) + "\"";
+    return error_of(xml(far.replace(far.find("offset=\"0\""), 10, attribute)));
+  };
+  const std::string refused = with_offset(99999);
+  const std::string before = "f:6: expected an offset within the ";
+  REQUIRE(refused.starts_with(before));
+  const std::size_t end = std::stoul(refused.substr(before.size()));
+  CHECK(with_offset(end + 1).starts_with(before));
+  CHECK(with_offset(end) ==
+        "f:6: expected the number of bytes of the array, found the end of the data");
 }
 
 TEST_CASE("base 64: padding within, blanks, faults") {

@@ -133,5 +133,31 @@ TEST_CASE("what is measured by polynomials is what the definition measures") {
   CHECK(compared > kCases / properties::kOneInputIn);
 }
 
+// Simplices are looked at in chunks of some thousands, by threads.
+TEST_CASE("of simplices that are listed a thousand times over the same is said a thousand times") {
+  constexpr std::size_t kTimes = 3000;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    const Drawn once = drawn(dice);
+    const Requirement requirement = drawn_requirement(dice, once);
+    const std::vector<std::size_t> expected =
+        definition::not_keeping(requirement, once.points, once.simplices);
+    std::vector<Simplex> often;
+    for (std::size_t i = 0; i < kTimes; ++i) {
+      often.insert(often.end(), once.simplices.begin(), once.simplices.end());
+    }
+    Mesh mesh;
+    mesh.coordinates = numbers_of(once.points, once.points.front().size());
+    mesh.simplices = IndexLists(often);
+    const std::vector<std::size_t> found = violators(mesh, {requirement}, 2).front();
+    REQUIRE(found.size() == kTimes * expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      REQUIRE(found[i] ==
+              once.simplices.size() * (i / expected.size()) + expected[i % expected.size()]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace circumspect::quality

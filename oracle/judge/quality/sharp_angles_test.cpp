@@ -63,6 +63,12 @@ TEST_CASE("without a domain the boundary of the mesh has the sharp angles") {
   // Boundary edges 0-1 and 0-4 meet at 45 degrees, and 3-4 and 3-6.
   CHECK(touched(mesh, nullptr, "46deg") == std::vector<bool>{true, true, false, true, false, true});
   CHECK(touched(mesh, nullptr, "45deg") == std::vector<bool>(6, false));
+  // A flat simplex is set apart, and closes nothing.
+  std::vector<Simplex> with_flat = kInCorner;
+  with_flat.push_back({0, 1, 2});
+  std::vector<bool> same = touched(fan_of(kCorner, with_flat), nullptr, "46deg");
+  same.pop_back();
+  CHECK(same == std::vector<bool>{true, true, false, true, false, true});
   const Mesh corner =
       fan_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
   CHECK(touched(corner, nullptr, "10deg") == std::vector<bool>{false, false});

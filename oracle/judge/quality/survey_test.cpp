@@ -133,6 +133,32 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("of a mesh that is listed a thousand times over each bin has a thousand times as many") {
+  constexpr std::size_t kTimes = 1000;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    const Mesh once = drawn_mesh(dice);
+    std::vector<Simplex> often;
+    for (std::size_t i = 0; i < kTimes; ++i) {
+      for (std::size_t s = 0; s < once.simplices.size(); ++s) often.push_back(once.simplices[s]);
+    }
+    const Survey one = survey(once, 1), many = survey(listed(once.exact_points(), often), 2);
+    CHECK(many.measured == kTimes * one.measured);
+    CHECK(many.set_apart == kTimes * one.set_apart);
+    REQUIRE(many.extremes.size() == one.extremes.size());
+    for (std::size_t i = 0; i < one.extremes.size(); ++i) {
+      CHECK(many.extremes[i].found.value == one.extremes[i].found.value);
+      CHECK(many.extremes[i].simplex == one.extremes[i].simplex);
+    }
+    for (std::size_t h = 0; h < one.histograms.size(); ++h) {
+      for (std::size_t bin = 0; bin < one.histograms[h].counts.size(); ++bin) {
+        CHECK(many.histograms[h].counts[bin] == kTimes * one.histograms[h].counts[bin]);
+      }
+    }
+  }
+}
+
 TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a thick shell") {
   const Topology ring = topology(listed(
       {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}, {5, 6}, {-6, 5}, {-5, -6}, {6, -5}},

@@ -1,7 +1,15 @@
 // The claim `voronoi`, by lemma and by definition.
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
 
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+
 #include <doctest/doctest.h>
+
+#include "oracle/judge/definition/voronoi.hpp"
+#include "oracle/judge/voronoi/sites_around.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -120,6 +128,59 @@ TEST_CASE("what cannot be judged is refused, with what to do") {
         "run qvoronoi with both o and Fv");
   diagram.cells.pop_back();
   CHECK(fault_of_diagram(diagram, {}) == "expected a cell for each of 5 sites, found 4 cells");
+  for (const Vertex none : {-1, 5}) {
+    for (const auto& ridge : {std::array{none, Vertex{0}}, std::array{Vertex{4}, none}}) {
+      diagram = square_with_centre();
+      diagram.neighbors.push_back({ridge[0], ridge[1]});
+      CHECK(fault_of_diagram(diagram, {}) ==
+            "expected ridges between sites, found one of site " + std::to_string(none));
+    }
+  }
+  diagram = square_with_centre();
+  const auto of_box = [&](const Point& low, const Point& high) {
+    return fault_of_diagram(diagram, JudgedBox{low, high});
+  };
+  CHECK(of_box({0, 0}, {1, 1}) == "");
+  for (const auto& fault : {of_box({0, 0}, {1, 0}), of_box({0, 1}, {1, 0}), of_box({1, 0}, {0, 1}),
+                            of_box({0, 0, 0}, {1, 1, 1})}) {
+    CHECK(
+        fault ==
+        "expected a box with 4 numbers, the least and then the larger coordinates, found another");
+  }
+}
+
+TEST_CASE("a cell that is listed where the site has none is too large") {
+  VoronoiDiagram diagram = square_with_centre();
+  const JudgedBox corner{{5, 5}, {6, 6}};  // of the third site alone
+  CHECK(judged(diagram, 0, corner).holds());
+  diagram.vertices.push_back({6, 6});
+  diagram.cells[4].corners.push_back(4);
+  const Verdict verdict = judged(diagram, 100, corner);
+  REQUIRE(verdict.violations().size() == 1);
+  CHECK(verdict.violations()[0].rule == Rule::kCellDiffers);
+  CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{4});
+}
+
+TEST_CASE("cells are those of all sites, however these are spread") {
+  std::mt19937 random(1);
+  const auto below = [&](unsigned count) { return static_cast<long>(random() % count); };
+  for (int round = 0; round < 6; ++round) {
+    // Two crowds far from each other, and some sites between them.
+    std::set<Point> sites;
+    while (sites.size() < 14) {
+      const long away = below(3) == 0 ? 10 + below(20) : below(2) * 60;
+      sites.insert({away + below(4), below(4) + (away > 5 ? below(30) : 0)});
+    }
+    const PointSet set({sites.begin(), sites.end()});
+    const JudgedBox box = default_box(set);
+    const SitesAround around(set, box);
+    for (Vertex site = 0; set.names(site); ++site) {
+      CAPTURE(site);
+      std::vector<Point> expected = definition::exact_corners(set, site, box);
+      std::sort(expected.begin(), expected.end());
+      CHECK(around.corners_of_cell(site) == expected);
+    }
+  }
 }
 
 }  // namespace

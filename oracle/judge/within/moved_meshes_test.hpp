@@ -41,6 +41,23 @@ inline PiecewiseLinearInput slanted(PiecewiseLinearInput input) {
   return input;
 }
 
+inline Point mirrored(Point p) {
+  for (Rational& x : p) x = -x;
+  return p;
+}
+// All of it on the other side of the origin: above and below, left and right are exchanged.
+inline MovedMesh mirrored(const MovedMesh& moved) {
+  const auto each = [](std::vector<Point> points) {
+    for (Point& p : points) p = mirrored(std::move(p));
+    return points;
+  };
+  PiecewiseLinearComplex complex = moved.domain.complex;
+  complex.points = PointSet(each(complex.points.points()));
+  complex.hole_seeds = each(complex.hole_seeds);
+  for (Polygon& polygon : complex.polygons) polygon.hole_seeds = each(polygon.hole_seeds);
+  return {with_points(moved.mesh, each(moved.mesh.points.points())), {std::move(complex)}};
+}
+
 // Every vertex moved by a few billionths along each axis.
 template <class Random>
 ExactMesh shaken(const ExactMesh& mesh, Random& random, long most = 4) {

@@ -101,7 +101,8 @@ class ReachSearch {
   }
 
   // Where two cells of the lowest dimension are within reach of a vertex, only one of lower
-  // dimension, farther away, can make it clear.
+  // dimension, farther away, can make it clear. The first such reach is kept: if no larger one will
+  // do, it is not the mesh that is at fault.
   bool carriers_are_single() {
     std::optional<Rational> least;
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
@@ -113,11 +114,14 @@ class ReachSearch {
         if (to.squared() <= squared_ || to.cell.dimension >= carrier.cell->dimension) continue;
         if (!next || to.squared() < *next) next = to.squared();
       }
+      if (!passed_over_) {
+        passed_over_ = {.kind = Kind::kAmbiguous,
+                        .squared_reach = squared_,
+                        .cells = {*carrier.cell, *carrier.second},
+                        .vertices = {v}};
+      }
       if (!next) {
-        answer_ = {.kind = Kind::kAmbiguous,
-                   .squared_reach = squared_,
-                   .cells = {*carrier.cell, *carrier.second},
-                   .vertices = {v}};
+        answer_ = std::move(passed_over_);
         return false;
       }
       if (!least || *next > *least) least = next;
@@ -133,6 +137,8 @@ class ReachSearch {
       answer_ = {.kind = Kind::kAmbiguous,
                  .squared_reach = apart_->squared / 9,
                  .cells = {apart_->a, apart_->b}};
+    } else if (passed_over_) {
+      answer_ = std::move(passed_over_);
     } else if (!open_.empty()) {
       answer_ = {.kind = Kind::kOpen, .squared_reach = squared_, .cells = open_};
     } else {
@@ -173,6 +179,7 @@ class ReachSearch {
   std::vector<Cell> open_;
   std::vector<Violation> breaches_;
   Rational squared_;
+  std::optional<ReachAnswer> passed_over_;  // an ambiguous reach at which all cells have images
   std::optional<ReachAnswer> answer_;
 };
 

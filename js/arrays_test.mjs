@@ -1,0 +1,63 @@
+// What is read of scripts' arrays, and what the package says that it has: node --test arrays_test.mjs, without the library.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { indicesOf, numbersOf, partsOf, placesOf, simplicesOf } from './arrays.mjs';
+import { oracle } from './oracle.mjs';
+
+test('doubles stay doubles, and beside texts they are texts of the same value', () => {
+  assert.deepEqual(numbersOf([[1, 0.5], [3, -0]], 'points').doubles, Float64Array.of(1, 0.5, 3, -0));
+  assert.equal(numbersOf(Float32Array.of(0.1, 1), 'points', 2).doubles[0], Math.fround(0.1));
+  const mixed = numbersOf([[0.1, '1/3'], [5e-324, 10n ** 20n], [-2.5, 1e22]], 'points').texts;
+  assert.deepEqual(mixed, ['3602879701896397/36028797018963968', '1/3', `1/${1n << 1074n}`, '100000000000000000000', '-5/2',
+    '10000000000000000000000']);
+  assert.deepEqual(numbersOf([['1', NaN], [Infinity, 2]], 'points').texts, ['1', 'NaN', 'Infinity', '2']);
+});
+
+test('indices are 32 bits wide unless one needs 64', () => {
+  assert.ok(indicesOf([[0, 1], [2, -1]], 'edges').indices instanceof Int32Array);
+  assert.deepEqual(indicesOf(Uint32Array.of(0, 2 ** 32 - 1), 'edges', 2).indices, BigInt64Array.of(0n, 4294967295n));
+  assert.deepEqual(indicesOf([[0n, 2 ** 31]], 'edges').indices, BigInt64Array.of(0n, 2147483648n));
+  assert.deepEqual(indicesOf(Uint32Array.of(0, 2 ** 31 - 1), 'edges', 2).indices, Int32Array.of(0, 2147483647));
+  for (const none of [0.5, NaN, '1', null, undefined, 2 ** 53]) {
+    assert.throws(() => indicesOf([[0, none]], 'edges'), /^RangeError: expected indices of points as edges, found /);
+  }
+  assert.throws(() => placesOf([0, 2 ** 40], 'segments', 2), /^RangeError: .* found one beyond 32 bits$/);
+});
+
+test('rows that differ, rows of nothing and arrays that are none are refused', () => {
+  assert.throws(() => numbersOf([[1, 2], [3]], 'points'), /^RangeError: expected points in rows of 2, found row 1 of 1$/);
+  assert.throws(() => numbersOf([[1, 2], 3], 'points'), /^RangeError: expected points in rows of 2, found row 1 of 3$/);
+  assert.throws(() => numbersOf([[], []], 'points'), /^RangeError: expected points in rows of at least 1/);
+  assert.throws(() => numbersOf([1, 2, 3], 'points', 2), /^RangeError: expected points in rows of 2, found 3 numbers$/);
+  for (const columns of [0, -1, 1.5, '2', NaN]) assert.throws(() => numbersOf([1, 2, 3], 'points', columns), RangeError);
+  for (const none of [undefined, null, 7, 'text', new DataView(new ArrayBuffer(8))]) {
+    assert.throws(() => numbersOf(none, 'points', 2), /^TypeError: expected points as an array/);
+  }
+  const gone = new Float64Array(4);
+  structuredClone(gone.buffer, { transfer: [gone.buffer] });
+  assert.throws(() => numbersOf(gone, 'points', 2), /^TypeError: expected points, found an array whose buffer was detached/);
+  assert.equal(numbersOf(new Float64Array(0), 'points', 2).rows, 0);
+});
+
+test('meshes of libraries are known by their names', () => {
+  const flat = Float64Array.of(0, 0, 1, 0, 0, 1);
+  const triangles = Uint32Array.of(0, 1, 2);
+  assert.equal(partsOf({ coords: flat, triangles, hull: [] }).dimension, 2);
+  assert.equal(partsOf({ positions: [[0, 0, 0]], cells: [] }).dimension, undefined);
+  assert.deepEqual(simplicesOf({ simplices: triangles, vertices: 3 }), { simplices: triangles, vertices: 3 });
+  assert.throws(() => partsOf({ points: flat }), /^TypeError: .* found one with points$/);
+});
+
+test('what the package names is there, and index.d.ts declares what there is', () => {
+  const here = (name) => new URL(name, import.meta.url);
+  const { exports } = JSON.parse(readFileSync(here('./package.json'), 'utf8'));
+  const made = /\.(cjs|d\.cts|wasm)$/;  // by build.sh
+  const names = (value) => (typeof value === 'string' ? [value] : Object.values(value).flatMap(names));
+  for (const name of names(exports)) assert.ok(made.test(name) || existsSync(here(name)), name);
+  const declared = [...readFileSync(here('./index.d.ts'), 'utf8').matchAll(/^export function (\w+)/gm)].map(([, name]) => name);
+  assert.deepEqual([...new Set(declared)].sort(), Object.keys(oracle(() => undefined)).sort());
+  for (const file of ['./index.mjs', './browser.mjs']) {
+    for (const name of declared) assert.match(readFileSync(here(file), 'utf8'), new RegExp(`\\b${name}\\b`), `${file} ${name}`);
+  }
+});

@@ -1,0 +1,5 @@
+import type { Matchers as Meshes } from './matchers.js';
+
+declare module 'expect' {
+  interface Matchers<R extends void | Promise<void>, T = unknown> extends Meshes<R> {}
+}

@@ -1,0 +1,186 @@
+// Laws of the readers of elements: a count that is wrong by one is noticed, in either direction, and
+// an integer means the same number whatever type stores it.
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "oracle/formats/npy.hpp"
+#include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/written_elements_test.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+constexpr std::size_t kManyPoints = 30, kManyCells = 23;
+constexpr std::size_t kManyCorners = 8 * 2 + 8 * 3 + 7 * 4;  // of all cells
+
+// None of these numbers is an index of a cell, or stands in a coordinate.
+WrittenMesh mesh_of_telling_counts() {
+  WrittenMesh mesh;
+  for (std::size_t i = 0; i < kManyPoints; ++i)
+    mesh.points.push_back({0.5 + 0.125 * static_cast<double>(i), 0.0625, 1.5});
+  for (std::size_t i = 0; i < kManyCells; ++i) {
+    const int v = static_cast<int>(i % 7);
+    mesh.cells.push_back({v, v + 1, v + 2, v + 3});
+    mesh.cells.back().resize(2 + i % 3);
+  }
+  return mesh;
+}
+
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Where the bytes stand in a text; a number in digits only if it is no part of another one.
+std::vector<std::size_t> places_of(const std::string& text, const std::string& bytes) {
+  std::vector<std::size_t> places;
+  for (std::size_t at = text.find(bytes); at != std::string::npos; at = text.find(bytes, at + 1)) {
+    const std::size_t end = at + bytes.size();
+    const auto is_of_number = [&](char c) { return is_decimal_digit(c) || c == '.'; };
+    const bool goes_on =
+        is_decimal_digit(bytes.front()) &&
+        ((at > 0 && is_of_number(text[at - 1])) || (end < text.size() && is_of_number(text[end])));
+    if (!goes_on) places.push_back(at);
+  }
+  return places;
+}
+
+// A count as text, and as binary formats store it.
+std::vector<std::string> ways_to_write(std::size_t count) {
+  std::vector<std::string> ways = {std::to_string(count)};
+  for (const std::size_t size : {4U, 8U}) {
+    for (const ByteOrder order : {ByteOrder::kLittleEndian, ByteOrder::kBigEndian}) {
+      ways.push_back(stored(count, size, order));
+    }
+  }
+  return ways;
+}
+
+bool are_same(const ElementFile& a, const ElementFile& b) {
+  return a.points.points == b.points.points && a.points.first_index == b.points.first_index &&
+         a.edges.simplices == b.edges.simplices && a.triangles.simplices == b.triangles.simplices &&
+         a.tetrahedra.simplices == b.tetrahedra.simplices;
+}
+
+// One triangle whose last vertex has these bytes, in VTK's XML.
+std::string vtu_with(const std::string& type, const std::string& bytes, ByteOrder order) {
+  return std::string("<VTKFile type=\"UnstructuredGrid\" byte_order=\"") +
+         (order == ByteOrder::kBigEndian ? "BigEndian" : "LittleEndian") +
+         "\"><UnstructuredGrid><Piece NumberOfPoints=\"0\" NumberOfCells=\"1\"><Cells>"
+         "<DataArray type=\"" +
+         type +
+         "\" Name=\"connectivity\" format=\"appended\" offset=\"0\"/>"
+         "<DataArray type=\"Int8\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+         "<DataArray type=\"Int8\" Name=\"types\" format=\"ascii\">5</DataArray>"
+         "</Cells></Piece></UnstructuredGrid><AppendedData encoding=\"raw\">_" +
+         stored(bytes.size(), 4, order) + bytes + "</AppendedData></VTKFile>";
+}
+
+// The same in VTK's legacy form.
+std::string vtk_with(const std::string& type, const std::string& bytes) {
+  constexpr ByteOrder kOrder = ByteOrder::kBigEndian;
+  return "# vtk DataFile Version 5.1\nx\nBINARY\nDATASET POLYDATA\nPOINTS 0 double\n\n"
+         "POLYGONS 2 3\nOFFSETS int\n" +
+         stored(0, 4, kOrder) + stored(3, 4, kOrder) + "\nCONNECTIVITY " + type + "\n" + bytes +
+         "\n";
+}
+
+struct IntegerType {
+  const char* of_xml;
+  const char* of_legacy;
+  const char* of_numpy;
+  std::size_t size;
+  bool is_signed;
+};
+constexpr IntegerType kIntegerTypes[] = {
+    {"Int8", "char", "i1", 1, true},       {"UInt8", "unsigned_char", "u1", 1, false},
+    {"Int16", "short", "i2", 2, true},     {"UInt16", "unsigned_short", "u2", 2, false},
+    {"Int32", "int", "i4", 4, true},       {"UInt32", "unsigned_int", "u4", 4, false},
+    {"Int64", "long", "i8", 8, true},      {"UInt64", "unsigned_long", "u8", 8, false},
+    {"Int32", "vtkIdType", "i4", 4, true}, {"Int64", "vtktypeint64", "i8", 8, true}};
+
+std::string bytes_of_vertices(const IntegerType& type, Vertex last, ByteOrder order) {
+  return stored(0, type.size, order) + stored(1, type.size, order) +
+         stored(static_cast<std::uint64_t>(last), type.size, order);
+}
+
+// What the readers make of a triangle 0, 1 and `last`.
+void check_last_vertex(const IntegerType& type, Vertex last) {
+  CAPTURE(type.of_legacy);
+  CAPTURE(last);
+  const Simplex expected = {0, 1, last};
+  for (const ByteOrder order : {ByteOrder::kLittleEndian, ByteOrder::kBigEndian}) {
+    const std::string bytes = bytes_of_vertices(type, last, order);
+    const auto xml = read_vtu(named(vtu_with(type.of_xml, bytes, order)), kDouble);
+    REQUIRE_MESSAGE(xml, error_of(xml));
+    CHECK(xml->triangles.simplices == std::vector<Simplex>{expected});
+    const std::string header = std::string("{'descr': '") +
+                               (order == ByteOrder::kBigEndian ? ">" : "<") + type.of_numpy +
+                               "', 'fortran_order': False, 'shape': (1, 3), }";
+    const auto numpy = read_npy_simplices(named(npy_with_header(header, bytes)));
+    REQUIRE_MESSAGE(numpy, error_of(numpy));
+    CHECK(numpy->simplices == std::vector<Simplex>{expected});
+  }
+  const auto legacy = read_vtk(
+      named(vtk_with(type.of_legacy, bytes_of_vertices(type, last, ByteOrder::kBigEndian))),
+      kDouble);
+  REQUIRE_MESSAGE(legacy, error_of(legacy));
+  CHECK(legacy->triangles.simplices == std::vector<Simplex>{expected});
+}
+
+}  // namespace
+
+TEST_CASE("a count that is one more or one less than what is there changes no mesh unnoticed") {
+  for (const WrittenForm& form : all_forms(mesh_of_telling_counts())) {
+    CAPTURE(form.name);
+    const auto whole = read_form(form, kDouble);
+    REQUIRE_MESSAGE(whole, error_of(whole));
+    std::size_t tried = 0, refused = 0;
+    for (const std::size_t count :
+         {kManyPoints, kManyCells, kManyCorners, kManyCorners + kManyCells}) {
+      for (const std::string& way : ways_to_write(count)) {
+        for (const std::size_t place : places_of(form.text, way)) {
+          for (const std::size_t other : {count - 1, count + 1}) {
+            WrittenForm changed = form;
+            const auto ways = ways_to_write(count), others = ways_to_write(other);
+            const auto which = std::find(ways.begin(), ways.end(), way) - ways.begin();
+            changed.text.replace(place, way.size(), others[static_cast<std::size_t>(which)]);
+            const auto file = read_form(changed, kDouble);
+            CAPTURE(place);
+            CAPTURE(other);
+            if (file) CHECK(are_same(*file, *whole));
+            ++tried;
+            refused += file ? 0 : 1;
+          }
+        }
+      }
+    }
+    CHECK(tried > 0);
+    CHECK(refused > 0);
+  }
+}
+
+TEST_CASE("an integer is the same number in every type that can store it") {
+  for (const IntegerType& type : kIntegerTypes) {
+    const std::size_t bits = 8 * type.size - (type.is_signed ? 1 : 0);
+    const Vertex most = bits >= 63 ? std::numeric_limits<Vertex>::max()
+                                   : static_cast<Vertex>((std::uint64_t{1} << bits) - 1);
+    for (const Vertex last : {Vertex{2}, most / 2 + 1, most}) check_last_vertex(type, last);
+    if (type.is_signed) {
+      check_last_vertex(type, -1);
+      check_last_vertex(type, -most - 1);
+    }
+  }
+}
+
+TEST_CASE("an integer of 64 bits without a sign that is none with one is refused") {
+  const IntegerType& type = kIntegerTypes[7];
+  const Vertex negative = std::numeric_limits<Vertex>::min();
+  for (const ByteOrder order : {ByteOrder::kLittleEndian, ByteOrder::kBigEndian}) {
+    const std::string bytes = bytes_of_vertices(type, negative, order);
+    CHECK(!read_vtu(named(vtu_with(type.of_xml, bytes, order)), kDouble));
+  }
+  CHECK(!read_vtk(
+      named(vtk_with(type.of_legacy, bytes_of_vertices(type, negative, ByteOrder::kBigEndian))),
+      kDouble));
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,188 @@
+"""Laws of the package circumspect: no number, cell or option is lost on the way to the judge, whatever form it comes in. Run by pytest."""
+import copy
+import itertools
+import types
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import circumspect
+
+CUBE = [[x, y, z] for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
+QUADS = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+POINTS = circumspect.generate("uniform", dimension=3, points=12, seed=1)
+SIMPLICES = circumspect.delaunay(POINTS)
+
+
+def neighbors_of(simplices):
+    """The simplex opposite each vertex."""
+    facets = {}
+    for s, row in enumerate(np.asarray(simplices).tolist()):
+        for place in range(len(row)):
+            facets.setdefault(frozenset(row[:place] + row[place + 1:]), []).append((s, place))
+    across = np.full(np.shape(simplices), -1)
+    for (s, i), (t, j) in (pair for pair in facets.values() if len(pair) == 2):
+        across[s, i], across[t, j] = t, s
+    return across
+
+
+def test_a_number_is_the_same_in_every_place_of_a_list():
+    """2^53 + 1 is no double: beside floats, integers and fractions, in any row, it stays what it is."""
+    big = 2**53
+    rows = [[big, 0], [big + 2, 0], [big + 1, 0]]
+    for beside in (0, 0.0, np.float64(0), Fraction(0)):
+        for order in itertools.permutations(range(3)):
+            points = [[rows[i][0], beside] for i in order]
+            place = [order.index(i) for i in range(3)]
+            assert circumspect.check(points, [[place[0], place[2]], [place[2], place[1]]])
+            assert not circumspect.check(points, [[place[0], place[1]]])
+
+
+@pytest.mark.parametrize("kinds", itertools.product([np.int32, np.int64, np.uint32, np.int8], repeat=2))
+def test_neighbors_are_judged_in_every_width(kinds):
+    simplices, across = SIMPLICES, neighbors_of(SIMPLICES)
+    if np.dtype(kinds[1]).kind == "u":
+        across = np.where(across < 0, 2**32 - 1, across)  # names no simplex: wrong, and not overlooked
+    verdict = circumspect.check(POINTS, simplices.astype(kinds[0]), neighbors=across.astype(kinds[1]))
+    assert bool(verdict) == (np.dtype(kinds[1]).kind == "i"), verdict
+    wrong = across.copy()
+    wrong[0] = wrong[0][[1, 0, 2, 3]]
+    if wrong[0].tolist() != across[0].tolist():
+        assert not circumspect.check(POINTS, simplices.astype(kinds[0]), neighbors=wrong.astype(kinds[1]))
+
+
+def test_neighbors_of_a_mesh_count_and_those_that_are_given_count_more():
+    right = neighbors_of(SIMPLICES)
+    wrong = right.copy()
+    wrong[0] = np.roll(wrong[0], 1)
+    for own, given in ((right, wrong), (wrong, right)):
+        mesh = types.SimpleNamespace(points=POINTS, simplices=SIMPLICES, neighbors=own)
+        assert bool(circumspect.check(mesh)) == (own is right)
+        assert bool(circumspect.check(mesh, neighbors=given)) == (given is right)
+
+
+def test_cells_of_every_dimension_arrive():
+    """A loose segment and a loose triangle have to be listed; so one that is lost is missed."""
+    domain = circumspect.Domain([*CUBE, [9, 0, 0], [9, 4, 0], [9, 0, 4], [12, 0, 0], [12, 4, 0]], segments=[[11, 12]],
+                                polygons=[*QUADS, [8, 9, 10]], kind="enclosed")
+    built = circumspect.constrained_delaunay(domain)
+    cells = {"tetra": built.simplices, "triangle": built.triangles, "line": built.edges}
+    mesh = types.SimpleNamespace(points=domain.points, cells_dict=cells)
+    assert len(built.triangles) and len(built.edges) and circumspect.check(mesh, domain=domain)
+    for left_out in cells:
+        less = types.SimpleNamespace(points=domain.points, cells_dict={k: rows for k, rows in cells.items() if k != left_out})
+        assert not circumspect.check(less, domain=domain), left_out
+    # In whatever order they are listed.
+    turned = types.SimpleNamespace(points=domain.points, cells_dict=dict(reversed(cells.items())))
+    assert circumspect.check(turned, domain=domain)
+
+
+@pytest.mark.parametrize("count", [0, 3, 5])
+def test_each_point_has_one_weight(count):
+    points, simplices = [[0, 0], [4, 0], [0, 4], [4, 4]], [[0, 1, 2], [1, 3, 2]]
+    assert circumspect.check(points, simplices, "weighted-delaunay", weights=[0, 0, 0, 0])
+    for ask in (lambda weights: circumspect.check(points, simplices, "weighted-delaunay", weights=weights),
+                lambda weights: circumspect.delaunay(points, weights)):
+        with pytest.raises(ValueError, match=f"one weight a point, 4, found {count}"):
+            ask(np.zeros(count))
+
+
+def test_what_is_not_known_and_what_is_not_so_are_told_apart():
+    square, other = [[0, 0], [1, 0], [1, 1], [0, 1]], [[[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]]
+    assert sorted(circumspect.check(square, halves).canonical for halves in other) == [False, True]
+    assert [circumspect.check(square, halves).unique for halves in other] == [False, False]
+    for halves in other:
+        verdict = circumspect.check(square, halves, "triangulation")
+        assert verdict.canonical is None and verdict.unique is None
+    assert circumspect.check(square, other[0][:1]).canonical is None
+
+
+def test_arguments_stay_what_they_are():
+    """Their numbers, and whether they may be written to."""
+    own = {"points": np.array(POINTS), "simplices": np.array(SIMPLICES), "neighbors": neighbors_of(SIMPLICES)}
+    for writeable in (True, False):
+        for array in own.values():
+            array.flags.writeable = writeable
+        views = {name: array[:] for name, array in own.items()}
+        for arrays in (own, views):
+            before = copy.deepcopy(arrays)
+            for keep in (True, False):
+                assert circumspect.check(arrays["points"], arrays["simplices"], neighbors=arrays["neighbors"], copy=keep)
+            for name, array in arrays.items():
+                assert array.flags.writeable == writeable, name
+                assert array.dtype == before[name].dtype and (array == before[name]).all(), name
+    shut = np.array(POINTS)
+    view = shut[:]
+    view.flags.writeable = False  # though its owner may be written to
+    assert circumspect.check(view, SIMPLICES) and not view.flags.writeable and shut.flags.writeable
+
+
+def test_every_demand_and_requirement_counts():
+    square, halves = [[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]]
+    kept, broken = "min-angle:45deg", "max-angle:89deg"
+    for order in ([kept, broken], [broken, kept], (broken,), broken):
+        assert circumspect.check(square, halves, require=order).rules == {"quality.max-angle": 2}
+    for order in (["connected", "oriented=negative"], ["oriented=negative", "connected"], "oriented=negative"):
+        assert circumspect.check(square, halves, "complex", demands=order).rules == {"simplex.inverted": 2}
+    turned = [halves[0], halves[1][::-1]]
+    assert circumspect.check(square, turned) and not circumspect.check(square, turned, oriented=True)
+    domain = circumspect.Domain(square, [[0, 1], [1, 2], [2, 3], [3, 0]])
+    for within in (None, 0, Fraction(1, 10)):
+        assert circumspect.check(square, halves, domain=domain, within=within, require=broken).rules == {"quality.max-angle": 2}
+
+
+def test_by_definition_is_another_way_to_the_same_answer():
+    for simplices in (SIMPLICES, SIMPLICES[1:]):
+        ways = [circumspect.check(POINTS, simplices, by=by).to_dict() for by in ("lemma", "definition")]
+        assert ways[0]["verdict"] == ways[1]["verdict"]
+        assert ways[0].get("by") != ways[1].get("by") or ways[0].get("course") != ways[1].get("course")
+
+
+def test_a_height_is_left_out_only_if_all_points_have_it():
+    square, halves = [[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]]
+    domain = circumspect.Domain(square, [[0, 1], [1, 2], [2, 3], [3, 0]])
+    assert circumspect.check([[*p, 0.5] for p in square], halves, domain=domain)
+    for lifted in range(4):
+        points = [[*p, 0.5 + (i == lifted)] for i, p in enumerate(square)]
+        try:
+            assert not circumspect.check(points, halves, domain=domain)
+        except ValueError:
+            pass  # of another dimension than the domain
+
+
+def test_a_mesh_is_compared_by_its_own_weights():
+    """A point that is too light is no vertex: so these are weights of meshes whose points are the same."""
+    points, light, heavy = [[0, 0], [4, 0], [0, 4], [1, 1]], [0, 0, 0, -100], [0, 0, 0, 0]
+    a, b = circumspect.delaunay(points, light), circumspect.delaunay(points, heavy)
+    assert circumspect.compare((points, a), (points, a), weights=(light, light))
+    assert not circumspect.compare((points, a), (points, b), weights=(light, heavy))
+    assert not circumspect.compare((points, a), (points, a), weights=(light, heavy))
+
+
+def test_indices_without_a_sign_are_what_they_are():
+    for kind in (np.uint32, np.uint64):
+        wrong = np.array([[0, 1, np.iinfo(kind).max]], dtype=kind)
+        try:
+            assert "triangulation.unknown-vertex" in circumspect.check(POINTS[:4, :2], wrong).rules
+        except ValueError as error:
+            assert "64 bits" in str(error)  # larger than indices may be
+
+
+def test_a_hull_of_a_library_is_judged_whole():
+    spatial = pytest.importorskip("scipy.spatial")
+    hull = spatial.ConvexHull(POINTS)
+    assert circumspect.check(hull)
+    for left_out in range(len(hull.simplices)):
+        less = types.SimpleNamespace(**{name: getattr(hull, name) for name in ("points", "vertices", "equations", "volume")},
+                                     simplices=np.delete(hull.simplices, left_out, axis=0))
+        assert not circumspect.check(less)
+
+
+def test_the_box_of_a_diagram_has_two_corners():
+    square = [[0, 0], [4, 0], [4, 4], [0, 4]]
+    cells = ([[2, 2]], [[0, -1]] * 4, [[0, 1], [1, 2], [2, 3], [3, 0]])
+    assert circumspect.check_voronoi(square, *cells, box=[[-1, -1], [5, 5]])
+    for box in ([[0, 0]], [[-1, -1], [5, 5], [6, 6]]):
+        with pytest.raises(ValueError, match=f"a box of two corners, found {len(box)}"):
+            circumspect.check_voronoi(square, *cells, box=box)
