@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "inputs/arrangement.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {

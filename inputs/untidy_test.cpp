@@ -7,10 +7,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/arrangement.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "properties/arguments/generated.hpp"
 

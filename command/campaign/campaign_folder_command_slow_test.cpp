@@ -104,6 +104,14 @@ TEST_CASE("campaign: a name of the points that begins with a dash, and an empty 
       "CIRCUMSPECT=" CIRCUMSPECT_COMMAND " " + script + " > " + program.output("again") + " 2>&1";
   CHECK(WEXITSTATUS(std::system(again.c_str())) == 1);
   CHECK(has(contents(program.output("again")), "fails: delaunay x.ele " + signature));
+  // Who does not have the command gets the program's answer, and is told what to do.
+  const std::string without =
+      "CIRCUMSPECT=/none " + script + " > " + program.output("none") + " 2>&1";
+  CHECK(WEXITSTATUS(std::system(without.c_str())) == 2);
+  CHECK(has(contents(program.output("none")),
+            "put circumspect into PATH, or its\npath into CIRCUMSPECT"));
+  CHECK(contents(program.output() + "/findings/" + signature + "/adapter/program") ==
+        contents(program.path));
 }
 
 TEST_CASE(

@@ -1,7 +1,6 @@
 #include "command/campaign/campaign_report.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "command/output/output.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/printable.hpp"
+#include "oracle/report/ci_reports.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
@@ -73,26 +73,6 @@ report::Json details_of(const Finding& finding) {
   return is_whole ? results.front() : report::Json::object();
 }
 
-// XML has no way to say a control character, nor bytes that are no UTF-8: those have been written
-// otherwise.
-std::string for_xml(const std::string& text) {
-  std::string result;
-  for (const char c : on_lines(text)) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string finding_text(const Finding& finding) {
   const report::Json details = details_of(finding);
   const std::string text =
@@ -126,14 +106,6 @@ std::string with_percents(const std::string& text, const MustBeWritten& must_be_
                                  : std::string(1, c);
   }
   return result;
-}
-
-std::string uri_of(const std::string& path) {
-  const std::string_view plain = "-._~/+";
-  const std::string text = with_percents(path, [plain](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) == 0 && plain.find(c) == plain.npos;
-  });
-  return (path.front() == '/' ? "file://" : "") + text;
 }
 
 std::string for_annotation(const std::string& text, std::string_view special) {
@@ -292,7 +264,7 @@ std::string campaign_junit(const Result& result, const std::string& program) {
   for (const auto& [family, counts] : result.statistics) {
     ++tests;
     cases += fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\"/>\n",
-                         for_xml(on_one_line(program)), for_xml(family),
+                         report::for_xml(on_one_line(program)), report::for_xml(family),
                          report::counted(total(counts), "case"));
     for (const auto& [what, count] : counts) {
       if (is_no_finding(what)) continue;
@@ -301,36 +273,24 @@ std::string campaign_junit(const Result& result, const std::string& program) {
       cases += fmt::format(
           "    <testcase classname=\"{}\" name=\"{}: {}\">\n"
           "      <failure type=\"{}\" message=\"{} of {}\">{}</failure>\n    </testcase>\n",
-          for_xml(on_one_line(program)), for_xml(family), for_xml(what), for_xml(what), count,
-          report::counted(total(counts), "case"), for_xml(texts[what]));
+          report::for_xml(on_one_line(program)), report::for_xml(family), report::for_xml(what),
+          report::for_xml(what), count, report::counted(total(counts), "case"),
+          report::for_xml(texts[what]));
     }
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       "  <testsuite name=\"circumspect campaign {}\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
       "time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
-      for_xml(on_one_line(program)), tests, failures, result.seconds, cases);
+      report::for_xml(on_one_line(program)), tests, failures, result.seconds, cases);
 }
 
 report::Json campaign_sarif(const Result& result) {
-  report::Json rules = report::Json::array();
-  report::Json results = report::Json::array();
+  std::vector<report::SarifResult> results;
   for (const Finding& finding : result.findings) {
-    rules.push_back({{"id", finding.signature}});
-    const report::Json place = {{"uri", uri_of(place_of(finding))}};
-    results.push_back(
-        {{"ruleId", finding.signature},
-         {"level", "error"},
-         {"message", {{"text", on_lines(finding_text(finding))}}},
-         {"locations",
-          report::Json::array({{{"physicalLocation", {{"artifactLocation", place}}}}})}});
+    results.push_back({finding.signature, finding_text(finding), place_of(finding)});
   }
-  const report::Json driver = {
-      {"name", "circumspect"}, {"version", CIRCUMSPECT_VERSION}, {"rules", std::move(rules)}};
-  const report::Json run = {{"tool", {{"driver", driver}}}, {"results", std::move(results)}};
-  return {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-          {"version", "2.1.0"},
-          {"runs", report::Json::array({run})}};
+  return report::sarif_document(results, CIRCUMSPECT_VERSION);
 }
 
 std::string campaign_annotations(const Result& result, const std::string& program) {

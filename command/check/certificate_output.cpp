@@ -235,6 +235,10 @@ bool write_equal_points(const std::string& path, const std::string& mesh_name, c
 }
 
 std::string certificate_fault(const DomainOptions& said) {
+  if (said.resolves) {
+    return "expected no --resolve for a certificate, found it: circumspect-verified compares the "
+           "segments of the domain's file, as they are listed";
+  }
   if (!said.merged_slope) return "";
   return "expected no --merge-coplanar for a certificate, found it: circumspect-verified compares "
          "the polygons of the domain's file, as they are listed";

@@ -58,7 +58,7 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
     output.notes(notes.of_verdict);
     output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
   }
-  if (!output.wants_json() && !options.pictures->are_wanted()) return;
+  if (!output.wants_results() && !options.pictures->are_wanted()) return;
   std::vector<std::string> all_notes;
   if (domain != nullptr) all_notes = domain->file.notes;
   const std::vector<std::string> of_mesh = notes.all();
@@ -77,7 +77,7 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
   if (options.pictures->are_wanted()) {
     options.pictures->add(verdict, mesh, path, result, about, all_notes, output);
   }
-  if (output.wants_json()) output.json(std::move(result));
+  if (output.wants_results()) output.json(std::move(result));
 }
 
 // Are the requirements about measures that the mesh does not have? Then it says so.

@@ -31,6 +31,7 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
            {!options.check.quality.empty(), "--require"},
            {options.input.neighbors, "--neighbors"},
            {!options.input.kept_labels.empty(), "--keep-label"},
+           {options.input.dropped.has_value(), "--drop"},
            {options.input.allow_empty, "--allow-empty"},
            {options.input.duplicates == Duplicates::kMerge, "--duplicates merge"},
            {options.input.coordinates != NumberReading::kDouble, "--coordinates decimal"},
@@ -45,6 +46,10 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
 std::string writing_fault(const CheckOptions& options) {
   std::vector<Written> written = picture_files(options.picture);
   if (options.certificate) written.push_back({"the certificate", *options.certificate});
+  for (const std::string& report : {options.output.junit, options.output.sarif}) {
+    if (report == "-") return "expected a file for a report, found -";
+    if (!report.empty()) written.push_back({"a report", report});
+  }
   if (written.empty()) return "";
   std::vector<std::string> read;
   for (const std::string& mesh : options.meshes) {
@@ -79,6 +84,7 @@ std::string usage_fault(CheckOptions& options) {
   const Asked demanded{!options.check.quality.empty(), "--require"};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
+  const Asked dropped{options.input.dropped.has_value(), "--drop"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
@@ -111,6 +117,7 @@ std::string usage_fault(CheckOptions& options) {
                  "say how far vertices may be from one plane"),
       contradiction(neighbors, labels, "a .neigh file is about all cells"),
       contradiction(certificate, labels, "a certificate is about all cells of a file"),
+      contradiction(certificate, dropped, "a certificate is about the points of a file"),
       {certificate.is_given && options.meshes.size() != 1,
        fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size())},
       {options.certificate == "-",
@@ -165,8 +172,10 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   add_memory_option(command, options.memory);
   add_coordinates_option(command, options.input);
   add_duplicates_option(command, options.input);
+  add_drop_option(command, options.input);
   add_keep_label_option(command, options.input);
   add_allow_empty_option(command, options.input);
+  add_report_options(command, options.output);
   add_limit_option(command, options.output);
   add_output_options(command, options.output);
 }

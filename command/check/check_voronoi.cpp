@@ -5,6 +5,7 @@
 
 #include "command/options/number_list.hpp"
 #include "command/options/option_rows.hpp"
+#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/voronoi_file.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
 #include "oracle/report/text.hpp"
@@ -19,7 +20,7 @@ struct LoadedDiagram {
 
 tl::expected<LoadedDiagram, std::string> load_diagram(const std::string& path,
                                                       const InputOptions& input) {
-  const auto source = formats::load(path);
+  const auto source = formats::load_unpacked(path);
   if (!source) return tl::unexpected(source.error().to_string());
   auto file = formats::read_voronoi(*source, input.coordinates);
   if (!file) return tl::unexpected(file.error().to_string());
@@ -89,12 +90,12 @@ void check_voronoi(const std::string& path, const VoronoiQuestion& question, Pic
     output.text(report::explanation(verdict, loaded->sites));
     output.text(report::verdict_line(verdict, loaded->sites, path) + "\n");
   }
-  if (!output.wants_json() && !pictures.are_wanted()) return;
+  if (!output.wants_results() && !pictures.are_wanted()) return;
   report::Json result = report::verdict(verdict, loaded->sites, path, question.check.by);
   if (pictures.are_wanted()) {
     pictures.add(verdict, loaded->sites, path, result, nullptr, {}, output);
   }
-  if (output.wants_json()) output.json(std::move(result));
+  if (output.wants_results()) output.json(std::move(result));
 }
 
 }  // namespace circumspect::cli

@@ -175,6 +175,40 @@ TEST_CASE("the hull of points in one plane of space is no domain to fill") {
   CHECK(has(unbroken(run({"check", "--help"}).out), "must not all lie in one plane"));
 }
 
+TEST_CASE(
+    "a hull in the plane loses what segments enclose around hole seeds, as triangle -pc does") {
+  const ScratchFolder folder;
+  // A rectangle given by its corners and a point on its side, a square of segments in it.
+  const std::string points = "9 2\n1 0 0\n2 6 0\n3 6 6\n4 0 6\n5 2 2\n6 4 2\n7 4 4\n8 2 4\n9 3 0\n";
+  const std::string square = "4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n";
+  folder.write("h.node", points);
+  const std::string ring =
+      "1 1 9 5\n2 9 6 5\n3 9 2 6\n4 2 3 6\n5 3 7 6\n6 3 4 7\n7 4 8 7\n8 4 1 8\n9 1 5 8\n";
+  const std::string mesh = folder.write("h.ele", "9 3\n" + ring);
+  const std::string whole = folder.write("w.ele", "11 3\n" + ring + "10 5 6 7\n11 5 7 8\n");
+  folder.write("w.node", points);
+  const std::string with_hole = folder.write("h.poly", points + square + "1\n1 3 3\n");
+  const Run holds = run({"check", mesh, "--domain", with_hole, "--fill", "hull"});
+  CHECK_MESSAGE(holds.exit_code == 0, holds.out);
+  CHECK(has(holds.out,
+            "h.poly hull, the convex hull without what its segments enclose around "
+            "hole seeds\n"));
+  const std::string claim = "steiner-triangulation";
+  CHECK(has(run({"check", whole, "--domain", with_hole, "--fill", "hull", "--claim", claim}).out,
+            "domain.outside 2"));
+  // The seed may be said; without one the hull is filled.
+  const std::string without = folder.write("n.poly", points + square + "0\n");
+  CHECK(run({"check", mesh, "--domain", without, "--fill", "hull", "--hole", "3,3"}).exit_code ==
+        0);
+  CHECK(run({"check", whole, "--domain", without, "--fill", "hull", "--claim", claim}).exit_code ==
+        0);
+  CHECK(run({"check", mesh, "--domain", without, "--fill", "hull"}).exit_code == 1);
+  // A corner of the hull that is cut off is missing, whatever the seeds say.
+  const std::string cut = folder.write("c.ele", "8 3\n" + ring.substr(8));
+  folder.write("c.node", points);
+  CHECK(run({"check", cut, "--domain", with_hole, "--fill", "hull"}).exit_code != 0);
+}
+
 TEST_CASE("hole seeds that make no hole, or leave nothing, are noted") {
   const ScratchFolder folder;
   const std::string points = "3 2\n1 0 0\n2 4 0\n3 0 4\n";
@@ -194,7 +228,7 @@ TEST_CASE("hole seeds that make no hole, or leave nothing, are noted") {
   CHECK(run({"build", "cdt", outside, "--format", "json"}).err == "note: " + note + "\n");
   CHECK(has(run({"inspect", outside}).out, "note: " + note));
   CHECK(has(run({"check", mesh, "--domain", outside, "--domain-kind", "hull"}).out,
-            ": hole seed 1 at (9, 9): ignored, there are no holes in a hull\n"));
+            ": hole seed 1 at (9, 9): ignored, it is in nothing enclosed\n"));
   const Run emptied = run({"check", mesh, "--domain", domain("1 1")});
   CHECK(emptied.exit_code == 1);
   CHECK(has(emptied.out,

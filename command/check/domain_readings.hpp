@@ -48,6 +48,9 @@ class DomainReadings {
  private:
   std::optional<HeldAgainst> held_against(tl::expected<LoadedDomain, DomainFault> domain,
                                           Output& output) const;
+  // The domain with polygons taken for flat whose corners are within the distance of one plane;
+  // nothing if that is not all that is wrong with it.
+  std::optional<HeldAgainst> held_if_rounded(const Output& output) const;
 
   AskedDomain asked_;
   std::optional<HeldAgainst> as_read_;

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "command/input/breach_text.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"
 #include "oracle/report/text.hpp"
 
@@ -74,6 +78,9 @@ std::vector<Vertex> markers_of_joined(const std::vector<Vertex>& markers,
 std::string filled_text(const DomainOptions& said, const ChosenKind& chosen,
                         std::size_t dimension) {
   if (chosen.kind == DomainKind::kHull) return "hull, the convex hull";
+  if (said.fill == Fill::kHull) {
+    return "hull, the convex hull without what its segments enclose around hole seeds";
+  }
   if (chosen.is_by_faces) return "enclosed, what its faces cover";
   const std::string walls = dimension == 2 ? "segments" : "polygons";
   if (!said.regions.empty()) {
@@ -152,6 +159,66 @@ tl::expected<DomainOptions, std::string> in_dimension_of(const formats::DomainFi
   return said;
 }
 
+// Where segments meet is a vertex from here on: those that the file does not list are numbered
+// after all others. Lines of segments that were cut are not known.
+formats::DomainFile resolved(formats::DomainFile file) {
+  const PiecewiseLinearInput& input = file.input;
+  PiecewiseLinearInput whole = arranged(input);
+  std::map<Point, Vertex> labels;
+  Vertex last = file.first_index - 1;
+  for (std::size_t v = 0; v < input.points.size(); ++v) {
+    const Vertex label = file.label(static_cast<Vertex>(v));
+    labels.try_emplace(input.points[v], label);
+    last = std::max(last, label);
+  }
+  const std::size_t listed = labels.size();
+  std::vector<Vertex> own;
+  for (const Point& point : whole.points) {
+    const auto [known, is_new] = labels.try_emplace(point, last + 1);
+    own.push_back(known->second);
+    last += is_new ? 1 : 0;
+  }
+  const std::size_t added = labels.size() - listed;
+  std::string note = file.name + ": " + report::counted(segments_of(input).size(), "segment") +
+                     " resolved into " + std::to_string(segments_of(whole).size());
+  if (added > 0) {
+    note += fmt::format(", with {} where they meet, numbered from {}",
+                        report::counted(added, "vertex", "vertices"),
+                        last + 1 - static_cast<Vertex>(added));
+  }
+  if (listed < input.points.size()) {
+    note +=
+        fmt::format("; {} merged", report::counted(input.points.size() - listed, "equal point"));
+  }
+  file.notes.push_back(std::move(note));
+  file.segment_lines.assign(whole.segments.size(), 0);
+  file.labels = std::move(own);
+  file.input = std::move(whole);
+  return file;
+}
+
+// In the plane, --fill hull and hole seeds mean what triangle -pc means: the convex hull without
+// the regions that segments enclose around the seeds. Its boundary is then made of segments, so
+// that it is what segments enclose. (In space, tetgen -pc fills the holes as well.)
+bool is_hull_with_holes(const LoadedDomain& loaded, const DomainOptions& said) {
+  const PiecewiseLinearComplex& complex = loaded.domain.complex;
+  return said.fill == Fill::kHull && !complex.hole_seeds.empty() &&
+         complex.ambient_dimension() == 2 && complex.points.dimension() == 2;
+}
+
+void enclose_hull(LoadedDomain& loaded) {
+  PiecewiseLinearComplex& complex = loaded.domain.complex;
+  complex.kind = DomainKind::kHull;
+  std::vector<Point> seeds = complex.hole_seeds;
+  complex = check::with_hull_walls(complex, check::hull_faces(complex.points));
+  complex.hole_seeds = std::move(seeds);
+  const std::vector<Simplex> listed = segments_of(loaded.file.input);
+  for (const Simplex& segment : complex.segments) {
+    if (std::binary_search(listed.begin(), listed.end(), segment)) continue;
+    formats::add_segment(loaded.file, segment, 0);
+  }
+}
+
 }  // namespace
 
 std::string_view word(DomainKind kind) {
@@ -177,6 +244,14 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
   if (file.input.points.empty()) {
     return tl::unexpected(DomainFault{path + ": expected a domain with points, found none"});
   }
+  if (asked.resolves) {
+    if (!file.faces.empty()) {
+      return tl::unexpected(DomainFault{
+          path +
+          ": expected segments for --resolve, or polygons in space, found faces in a plane"});
+    }
+    file = resolved(std::move(file));
+  }
   const auto settled = in_dimension_of(file, asked);
   if (!settled) return tl::unexpected(DomainFault{path + ": " + settled.error()});
   const DomainOptions& said = *settled;
@@ -189,7 +264,13 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
   loaded.listed_holes = listed_holes;
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
-  auto chosen = choose_kind(loaded.domain, loaded.file.input, loaded.file.faces, said, leak);
+  DomainOptions filling = said;
+  // circumspect-verified knows the hull without holes alone.
+  if (!options.for_certificate && is_hull_with_holes(loaded, said)) {
+    enclose_hull(loaded);
+    filling.fill = Fill::kEnclosed;
+  }
+  auto chosen = choose_kind(loaded.domain, loaded.file.input, loaded.file.faces, filling, leak);
   if (!chosen) {
     return tl::unexpected(DomainFault{path + ": " + chosen.error(), {}, std::move(loaded.file)});
   }

@@ -18,6 +18,38 @@ formats::Weights weights_asked_for(const InputOptions& options) {
   return options.listed_weights ? formats::Weights::kListed : formats::Weights::kNone;
 }
 
+template <class Value>
+Numbers without_column(const Rows<Value>& points, std::size_t column) {
+  Rows<Value> others(points.rows(), points.columns() - 1);
+  for (std::size_t i = 0; i < points.rows(); ++i) {
+    for (std::size_t to = 0; to < others.columns(); ++to) {
+      others.row(i)[to] = points.row(i)[to < column ? to : to + 1];
+    }
+  }
+  return others;
+}
+
+// Projects a mesh of space along an axis; returns what is wrong with that, or an empty string.
+std::string drop_coordinate(LoadedMesh& loaded, Axis along) {
+  const auto axis = static_cast<std::size_t>(along);
+  Mesh& mesh = loaded.mesh;
+  if (mesh.dimension() != 3) {
+    return fmt::format("{}: expected points with 3 coordinates for --drop, found {}",
+                       loaded.points_name, mesh.dimension());
+  }
+  for (std::size_t i = 0; i < mesh.simplices.size(); ++i) {
+    if (mesh.simplices[i].size() <= 3) continue;
+    return fmt::format("{}: expected triangles or edges for --drop, found a simplex of {} vertices",
+                       loaded.name, mesh.simplices[i].size());
+  }
+  mesh.coordinates = std::visit([axis](const auto& points) { return without_column(points, axis); },
+                                mesh.coordinates);
+  std::erase_if(mesh.faces, [](const Simplex& face) { return face.size() > 2; });
+  loaded.notes.push_back(
+      fmt::format("{}: the coordinate {} was left out (--drop)", loaded.points_name, "xyz"[axis]));
+  return "";
+}
+
 }  // namespace
 
 void add_coordinates_option(CLI::App& command, InputOptions& options) {
@@ -51,6 +83,16 @@ void add_allow_empty_option(CLI::App& command, InputOptions& options) {
       "option, such an input is at fault (exit code 3)");
 }
 
+void add_drop_option(CLI::App& command, InputOptions& options) {
+  const std::map<std::string, Axis> axes = {{"x", Axis::kX}, {"y", Axis::kY}, {"z", Axis::kZ}};
+  command
+      .add_option("--drop", options.dropped,
+                  "Leave out this coordinate of points in space, so that a terrain is judged as it "
+                  "is seen from above (z)")
+      ->transform(one_of(axes))
+      ->option_text("x|y|z");
+}
+
 void add_keep_label_option(CLI::App& command, InputOptions& options) {
   command
       .add_option(
@@ -75,7 +117,8 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
        .domain_dimension = frame ? std::optional(frame->dimension) : std::nullopt,
        .domain_height = frame ? frame->height : std::nullopt,
        // circumspect-verified reads these files as they stand.
-       .keeps_coordinates = options.for_certificate && (end == ".ele" || end == ".node"),
+       .keeps_coordinates = options.dropped.has_value() ||
+                            (options.for_certificate && (end == ".ele" || end == ".node")),
        .weights = weights_asked_for(options),
        .kept_labels = options.kept_labels},
       threads);
@@ -91,20 +134,22 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
   if (options.neighbors && !mesh.neighbors) {
     return tl::unexpected(fmt::format("{}: expected a .neigh file beside it, found none", path));
   }
-  return LoadedMesh{path,
+  LoadedMesh loaded{path,
                     std::move(file->mesh),
                     std::move(file->points_name),
                     std::move(file->notes),
                     std::move(file->face_markers),
                     std::move(file->height)};
+  const std::string fault = options.dropped ? drop_coordinate(loaded, *options.dropped) : "";
+  if (!fault.empty()) return tl::unexpected(fault);
+  return loaded;
 }
 
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {
-  const Vertex first_index = loaded.mesh.first_index;
   const Duplicate& first = repeated.front();
   return fmt::format(
       "{}: {}", loaded.points_name,
-      report::fault_of_equal_points(first.kept + first_index, first.again + first_index,
+      report::fault_of_equal_points(loaded.mesh.label(first.kept), loaded.mesh.label(first.again),
                                     repeated.size(), "add --duplicates merge to the command"));
 }
 
@@ -134,10 +179,12 @@ tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
   loaded.mesh.coordinates = std::move(raw->points.points).as_numbers(raw->points.dimension);
   if (!weights->empty()) loaded.mesh.weights = numbers_of(*weights);
   loaded.mesh.first_index = raw->points.first_index;
-  const std::string fault = settle_equal_points(loaded, options.duplicates);
+  std::string fault = options.dropped ? drop_coordinate(loaded, *options.dropped) : "";
+  if (fault.empty()) fault = settle_equal_points(loaded, options.duplicates);
   if (!fault.empty()) return tl::unexpected(fault);
-  LoadedPoints points{path, exact(loaded.mesh), {}, loaded.merged, note_of_merging(loaded)};
-  const std::string end = formats::extension(path);
+  LoadedPoints points{path, exact(loaded.mesh), loaded.notes, loaded.merged,
+                      note_of_merging(loaded)};
+  const std::string end = formats::extension_inside(path);
   // Scanners write colours and normals there.
   if (loaded.mesh.dimension() > 3 && (end == ".xyz" || end == ".csv")) {
     points.notes.push_back(

@@ -18,6 +18,7 @@ class App;
 namespace circumspect::cli {
 
 enum class Duplicates { kReject, kMerge };
+enum class Axis { kX, kY, kZ };
 
 // What every subcommand that reads points lets its users choose.
 struct InputOptions {
@@ -28,6 +29,7 @@ struct InputOptions {
   bool neighbors = false;                  // --neighbors
   bool faces = false;                      // read .face and .edge too, and their like
   std::vector<Vertex> kept_labels = {};    // --keep-label; empty: all
+  std::optional<Axis> dropped = {};        // --drop: the coordinate that is left out
   bool allow_empty = false;                // --allow-empty
   bool weighted = false;                   // the claim or the construction is about weights
   bool for_certificate = false;            // a certificate is about the numbers of the files
@@ -38,6 +40,7 @@ void add_coordinates_option(CLI::App& command, InputOptions& options);
 void add_duplicates_option(CLI::App& command, InputOptions& options);
 void add_allow_empty_option(CLI::App& command, InputOptions& options);
 void add_keep_label_option(CLI::App& command, InputOptions& options);
+void add_drop_option(CLI::App& command, InputOptions& options);
 
 // A mesh as it was read, or one line that says what is wrong with the input.
 struct LoadedMesh {
@@ -59,9 +62,9 @@ struct DomainFrame {
 };
 
 // Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
-// weights asked for and not there; neighbours asked for and not there. Equal points are left to
-// judges and to settle_equal_points.
-// `frame`: of the domain that the mesh is held against, if it is. Then what
+// weights asked for and not there; neighbours asked for and not there; a coordinate to leave out of
+// a mesh that is not of space, or has tetrahedra. Equal points are left to judges and to
+// settle_equal_points. `frame`: of the domain that the mesh is held against, if it is. Then what
 // formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many
 // as the machine has.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,

@@ -84,33 +84,7 @@ void add_points(CLI::App& command, const std::string& name, std::vector<Point>& 
       ->option_text("X,Y,Z");
 }
 
-}  // namespace
-
-void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_angle) {
-  const std::map<std::string, Fill> fills = {{"enclosed", Fill::kEnclosed},
-                                             {"even-odd", Fill::kEvenOdd},
-                                             {"winding", Fill::kWinding},
-                                             {"hull", Fill::kHull}};
-  command
-      .add_option(
-          "--fill,--domain-kind", options.fill,
-          "Say which part of space the domain fills. Its walls are its polygons, in the plane "
-          "its segments. 'enclosed': all that the walls enclose. 'even-odd': the part of it that "
-          "a path from outside enters through an odd number of walls, so that a sphere in a "
-          "sphere is hollow. 'winding': the part that the walls wind around, in the orientation "
-          "in which they are listed. 'hull': the convex hull of the points, which must not all "
-          "lie in one plane. The default is 'enclosed' if the walls enclose something, and "
-          "'hull' if there are no walls. If the walls enclose nothing, check and build need this "
-          "option, unless all points lie in one plane. With 'enclosed' they then mesh the walls "
-          "and fill nothing")
-      ->transform(one_of(fills))
-      ->option_text("enclosed|even-odd|winding|hull");
-  add_points(command, "--hole", options.holes,
-             "A point in a hole: the enclosed region around it is not filled. May be given several "
-             "times. The holes in the file remain");
-  add_points(command, "--region", options.regions,
-             "A point in a region to fill: enclosed regions without such a point are not filled. "
-             "May be given several times");
+void add_merge_option(CLI::App& command, DomainOptions& options, bool takes_angle) {
   const auto read = [&options](const CLI::results_t& texts) {
     options.merged_slope = Rational(0);
     if (texts.front() == "true") return true;
@@ -145,6 +119,43 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
   if (takes_angle) merge->option_text("[ANGLE]");
 }
 
+}  // namespace
+
+const Rational& slope_of_degree() { return kSlopeOfDegree; }
+
+void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_angle) {
+  const std::map<std::string, Fill> fills = {{"enclosed", Fill::kEnclosed},
+                                             {"even-odd", Fill::kEvenOdd},
+                                             {"winding", Fill::kWinding},
+                                             {"hull", Fill::kHull}};
+  command
+      .add_option(
+          "--fill,--domain-kind", options.fill,
+          "Say which part of space the domain fills. Its walls are its polygons, in the plane "
+          "its segments. 'enclosed': all that the walls enclose. 'even-odd': the part of it that "
+          "a path from outside enters through an odd number of walls, so that a sphere in a "
+          "sphere is hollow. 'winding': the part that the walls wind around, in the orientation "
+          "in which they are listed. 'hull': the convex hull of the points, which must not all "
+          "lie in one plane. The default is 'enclosed' if the walls enclose something, and "
+          "'hull' if there are no walls. If the walls enclose nothing, check and build need this "
+          "option, unless all points lie in one plane. With 'enclosed' they then mesh the walls "
+          "and fill nothing")
+      ->transform(one_of(fills))
+      ->option_text("enclosed|even-odd|winding|hull");
+  add_points(command, "--hole", options.holes,
+             "A point in a hole: the enclosed region around it is not filled. May be given several "
+             "times. The holes in the file remain");
+  add_points(command, "--region", options.regions,
+             "A point in a region to fill: enclosed regions without such a point are not filled. "
+             "May be given several times");
+  command.add_flag(
+      "--resolve", options.resolves,
+      "Take segments that cross, touch, overlap or are repeated, and equal vertices, for "
+      "their exact arrangement: where they meet is a vertex. Polygons that cross remain "
+      "a fault");
+  add_merge_option(command, options, takes_angle);
+}
+
 std::string domain_options_fault(const DomainOptions& options) {
   if (options.regions.empty() || !options.fill || *options.fill == Fill::kEnclosed) return "";
   return fmt::format(
@@ -162,7 +173,7 @@ std::string domain_options_fault(const DomainOptions& options, std::optional<Cla
         fmt::format("expected --domain FILE for the claim {}, found none", said)},
        {claim && !about_domain && has_domain,
         fmt::format("expected no --domain for the claim {}, found one", said)},
-       dependence({options.is_given(), "--fill, --hole, --region or --merge-coplanar"},
+       dependence({options.is_given(), "--fill, --hole, --region, --resolve or --merge-coplanar"},
                   {has_domain, "--domain FILE"}),
        domain_options_fault(options)});
 }

@@ -17,17 +17,21 @@ struct DomainOptions {
   std::optional<Fill> fill = {};
   std::vector<Point> holes = {};    // more hole seeds
   std::vector<Point> regions = {};  // if any, nothing is filled but what they are in
+  bool resolves = false;  // --resolve: the domain is the arrangement of what the file lists
   // --merge-coplanar: the tangent of the angle, 0 if polygons have to be in one plane exactly.
   std::optional<Rational> merged_slope = {};
 
   bool is_given() const {
-    return fill || !holes.empty() || !regions.empty() || merged_slope.has_value();
+    return fill || !holes.empty() || !regions.empty() || resolves || merged_slope.has_value();
   }
   bool merges_bent() const { return merged_slope && *merged_slope > 0; }
 };
 
-// Adds --fill (or --domain-kind), --hole, --region and --merge-coplanar. `takes_angle`: may the
-// last one have an angle, which only a command with --within can make something of?
+// The slope of one degree, as --merge-coplanar counts angles.
+const Rational& slope_of_degree();
+
+// Adds --fill (or --domain-kind), --hole, --region, --resolve and --merge-coplanar. `takes_angle`:
+// may the last one have an angle, which only a command with --within can make something of?
 void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_angle = false);
 
 // What options contradict each other; empty if none do.

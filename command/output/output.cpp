@@ -20,6 +20,7 @@
 #include "command/options/quantity.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
+#include "oracle/report/ci_reports.hpp"
 
 namespace circumspect::cli {
 
@@ -109,6 +110,12 @@ void add_limit_option(CLI::App& command, OutputOptions& options) {
                 "with exit code 4 (default: never)"}});
 }
 
+void add_report_options(CLI::App& command, OutputOptions& options) {
+  add_options(command, {{"--junit", "FILE", into(options.junit), "Also write a report for CI"},
+                        {"--sarif", "FILE", into(options.sarif),
+                         "Also write a report for code scanning (SARIF)"}});
+}
+
 void Output::watch(const std::string& command) {
   command_ = command;
   long_work_ =
@@ -155,6 +162,7 @@ int Output::last_words(const std::string& why) {
   known_["undecided"] = command_ + " " + why;
   results_.push_back(known_);
   print_document();
+  write_reports();
   return static_cast<int>(when_written(code));
 }
 
@@ -188,14 +196,30 @@ void Output::error(ExitCode code, const std::string& subject, const std::string&
                    const std::string& message) {
   if (long_work_) long_work_->clear();
   usage_error(message);
-  if (wants_json()) json({{subject, name}, {"error", message}});
+  if (wants_results()) json({{subject, name}, {"error", message}});
   exit_with(code);
 }
 
 ExitCode Output::finish() {
   end_watch();
   print_document();
+  write_reports();
   return code_;
+}
+
+void Output::write_reports() {
+  const auto write = [this](const std::string& path, const std::string& text) {
+    if (path.empty()) return;
+    const std::string fault = write_file(path, [&](std::ostream& out) { out << text; });
+    if (fault.empty()) return;
+    usage_error(fault);
+    code_ = worse(code_, ExitCode::kUsage);
+  };
+  if (!options_.junit.empty()) write(options_.junit, report::junit_of_check(results_));
+  if (!options_.sarif.empty()) {
+    write(options_.sarif,
+          report::document_text(report::sarif_of_check(results_, CIRCUMSPECT_VERSION)));
+  }
 }
 
 void Output::print_document() const {

@@ -43,11 +43,15 @@ struct OutputOptions {
   bool quiet = false;  // nothing but errors
   Colour colour = Colour::kAuto;
   std::optional<double> limit = {};  // how many seconds the command may take
+  std::string junit = {};            // files for CI, of the same results; empty: none
+  std::string sarif = {};
 };
 
 void add_output_options(CLI::App& command, OutputOptions& options);
 // --limit TIME, for commands that call Output::watch.
 void add_limit_option(CLI::App& command, OutputOptions& options);
+// --junit FILE and --sarif FILE, for commands whose results are those of `check`.
+void add_report_options(CLI::App& command, OutputOptions& options);
 
 // Collects what a run says: text as it comes, or one JSON document {"circumspect": 1, "results":
 // […]} at the end; and the worst exit code so far.
@@ -69,6 +73,10 @@ class Output {
 
   bool wants_text() const { return options_.format == OutputFormat::kText && !options_.quiet; }
   bool wants_json() const { return options_.format == OutputFormat::kJson && !options_.quiet; }
+  // The same for whatever is made of them: a document or a report.
+  bool wants_results() const {
+    return wants_json() || !options_.junit.empty() || !options_.sarif.empty();
+  }
 
   // Lines, in colour where that is wanted; what would move a cursor is escaped. Names in them have
   // been put on one line (printable.hpp).
@@ -84,12 +92,13 @@ class Output {
 
   ExitCode exit_code() const { return code_; }
 
-  // Prints the JSON document, if that is wanted, and says with what to exit.
+  // Prints the JSON document and writes reports, if these are wanted, and says with what to exit.
   ExitCode finish();
 
  private:
   int last_words(const std::string& why);
   void print_document() const;
+  void write_reports();
   bool wants_colour() const;
 
   OutputOptions options_;

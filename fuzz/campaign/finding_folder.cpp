@@ -99,6 +99,19 @@ void copy_output(const std::string& folder, const Subject& subject, const Runner
   }
 }
 
+// The scripts that the command names, such as an adapter, for who does not have them.
+void copy_adapters(const std::string& folder, const Subject& subject) {
+  std::error_code error;
+  for (const std::string& argument : subject.command) {
+    if (!argument.starts_with('/') || !fs::is_regular_file(argument, error)) continue;
+    if (fs::file_size(argument, error) > kLargestCopy) continue;
+    const formats::Result<formats::Source> source = formats::load(argument);
+    if (!source || source->text.find('\0') != std::string::npos) continue;  // a program, no script
+    make_folder(folder + "/adapter");
+    write_durably(folder + "/adapter/" + fs::path(argument).filename().string(), source->text);
+  }
+}
+
 std::string count_of(const Input& input) {
   const std::size_t count = point_count(input);
   return report::counted(count, "point");
@@ -128,6 +141,7 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "minimal{}   a small input with the same failure, {}\n"
       "output/        what the program wrote for the small one\n"
       "said.txt       and what it said\n"
+      "adapter/       the scripts that its command names, if there are any\n"
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n"
       "issue.md       for the authors of the program; picture.svg is its picture, if it has one\n\n"
@@ -232,9 +246,8 @@ std::string printed_by_shell(const std::string& text) {
 std::string in_folder(const std::string& name) { return name[0] == '-' ? "./" + name : name; }
 
 std::string check_line(const Subject& subject, const Input& minimal, const std::string& stem) {
-  std::string line = "\"${CIRCUMSPECT:-circumspect}\" check " +
-                     quoted_for_shell(in_folder(subject.mesh_name)) + " --claim " +
-                     std::string(name(subject.claim));
+  std::string line = "\"$circumspect\" check " + quoted_for_shell(in_folder(subject.mesh_name)) +
+                     " --claim " + std::string(name(subject.claim));
   if (subject.is_about_domains()) {
     return line + " --domain \"$here/" + (subject.is_untidy ? "arranged" : stem) +
            ".poly\" --fill " + std::string(name(subject.fill)) +
@@ -291,6 +304,7 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
                       .value_or(""));
   }
   copy_output(folder, subject, runner);
+  copy_adapters(folder, subject);
   write_durably(folder + "/said.txt", on_lines(runner.said()));
   const report::Json document = verdict_document(subject, origin, found, minimal, outcome);
   write_durably(folder + "/verdict.json", report::document_text(document));
@@ -389,8 +403,17 @@ std::string reproduction(const Subject& subject, const Input& minimal, const Out
       "{}\n"
       "code=$?\n"
       "if [ $code -ne 0 ]; then echo \"the program ended with exit code $code\"; exit $code; fi\n"
+      "circumspect=${{CIRCUMSPECT:-circumspect}}\n"
+      "if ! command -v \"$circumspect\" > /dev/null; then\n"
+      "  echo \"The program has written what follows. To judge it, put circumspect into PATH, or "
+      "its\" >&2\n"
+      "  echo \"path into CIRCUMSPECT; verdict.json says what was wrong with it.\" >&2\n"
+      "  cat {}\n"
+      "  exit 2\n"
+      "fi\n"
       "{}\n",
       outcome.signature, stem, extension, quoted_for_shell(in_folder(subject.input_name)), run,
+      quoted_for_shell(in_folder(subject.mesh_name)),
       check_line(subject, outcome.image ? *outcome.image : minimal, stem) + kPage);
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "fuzz/campaign/judge_diagram.hpp"
-#include "inputs/arrangement.hpp"
 #include "kernel/exact/point.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"

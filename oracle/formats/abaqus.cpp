@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/bytes/text_lines.hpp"
 #include "oracle/formats/node_tags.hpp"
 
@@ -82,21 +85,39 @@ const AbaqusType* abaqus_type_of(std::string_view name) {
 // The text line by line; comments and empty lines are skipped.
 class Fields {
  public:
-  explicit Fields(const Source& source) : lines_(source) {}
+  explicit Fields(const Source& source) { files_.emplace_back(source); }
 
   // Goes to the next line; false at the end.
   bool next() {
-    while (lines_.next()) {
-      text_ = without_blanks(lines_.text());
-      if (!text_.empty() && !text_.starts_with("**")) return true;
+    while (true) {
+      TextLines& lines = files_.back();
+      while (lines.next()) {
+        text_ = without_blanks(lines.text());
+        if (!text_.empty() && !text_.starts_with("**")) return true;
+      }
+      text_ = {};
+      if (files_.size() == 1) return false;
+      files_.pop_back();  // an included file has ended
     }
-    text_ = {};
-    return false;
+  }
+  // From here on the lines of another file, and behind them the rest of this one. False if there is
+  // no such file in the folder of the first or below it, or if too many have been included.
+  bool include(const std::string& path) {
+    constexpr std::size_t kMostFiles = 100;
+    const bool is_below = !path.empty() && path[0] != '/' && path.find("..") == std::string::npos;
+    const std::string& first = files_.front().file();
+    const std::string whole = first.substr(0, first.rfind('/') + 1) + path;
+    if (!is_below || included_.size() >= kMostFiles || !is_regular(whole)) return false;
+    Result<Source> source = load_unpacked(whole);
+    if (!source) return false;
+    included_.push_back(std::make_unique<const Source>(std::move(*source)));
+    files_.emplace_back(*included_.back());
+    return true;
   }
 
   bool is_keyword() const { return text_.starts_with('*'); }
   std::string_view text() const { return text_; }
-  std::size_t line() const { return lines_.line(); }
+  std::size_t line() const { return files_.back().line(); }
   bool goes_on() const { return text_.ends_with(','); }
 
   // What is between the commas; a comma at the end ends no further field.
@@ -112,11 +133,12 @@ class Fields {
   }
 
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const {
-    return lines_.fail(std::move(expected), std::move(found));
+    return files_.back().fail(std::move(expected), std::move(found));
   }
 
  private:
-  TextLines lines_;
+  std::vector<std::unique_ptr<const Source>> included_;
+  std::deque<TextLines> files_;  // that are being read, the innermost last
   std::string_view text_;
   std::vector<std::string_view> fields_;
 };
@@ -126,20 +148,26 @@ std::string keyword_of(std::string_view text) {
   return upper(without_blanks(text.substr(0, text.find(','))));
 }
 
-// The value of an option of a keyword, in capitals; nothing if it does not have it.
-std::optional<std::string> option(const std::vector<std::string_view>& fields,
-                                  std::string_view name) {
+// The value of an option of a keyword; nothing if it does not have it.
+std::optional<std::string> option_as_written(const std::vector<std::string_view>& fields,
+                                             std::string_view name) {
   for (const std::string_view field : fields) {
     const std::size_t equals = std::min(field.find('='), field.size());
     if (upper(without_blanks(field.substr(0, equals))) != name) continue;
-    return upper(without_blanks(field.substr(std::min(equals + 1, field.size()))));
+    return std::string(without_blanks(field.substr(std::min(equals + 1, field.size()))));
   }
   return std::nullopt;
 }
 
+// The same in capitals.
+std::optional<std::string> option(const std::vector<std::string_view>& fields,
+                                  std::string_view name) {
+  const auto value = option_as_written(fields, name);
+  return value ? std::optional(upper(*value)) : std::nullopt;
+}
+
 // Keywords that would make the mesh another one than what is listed.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kRefused = {{
-    {"*INCLUDE", "a mesh in one file"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kRefused = {{
     {"*NGEN", "nodes that are listed"},
     {"*NFILL", "nodes that are listed"},
     {"*NCOPY", "nodes that are listed"},
@@ -163,6 +191,7 @@ class AbaqusReader {
   Status read_node();
   Status read_elements(const AbaqusType& type);
   Status read_instance();
+  Status read_include();
   Result<Vertex> integer(std::string_view field, std::string_view what) const;
   void skip_data() {
     while (has_line() && !fields_.is_keyword()) is_there_ = fields_.next();
@@ -259,11 +288,21 @@ Status AbaqusReader::read_instance() {
   return fields_.fail("a part where its nodes say", "an instance that moves it");
 }
 
+Status AbaqusReader::read_include() {
+  const std::string path = option_as_written(fields_.fields(), "INPUT").value_or("");
+  if (!fields_.include(path)) {
+    return fields_.fail("a file to include, in the same folder or below it", quote(path));
+  }
+  is_there_ = fields_.next();
+  return {};
+}
+
 Status AbaqusReader::read_section() {
   const std::string keyword = keyword_of(fields_.text());
   for (const auto& [refused, expected] : kRefused) {
     if (keyword == refused) return fields_.fail(std::string(expected), quote(fields_.text()));
   }
+  if (keyword == "*INCLUDE") return read_include();
   if (keyword == "*NODE") return read_nodes();
   if (keyword == "*INSTANCE") return read_instance();
   if (keyword == "*PART" && std::exchange(has_part_, true)) {

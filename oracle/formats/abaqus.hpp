@@ -8,7 +8,8 @@
 //     …                                           lines that end with a comma
 //
 // Everything else (sets, materials, steps) is skipped. Planar types (CPS3, CPE3, …) and shells are
-// triangles. Nodes are taken as they are listed: what would move or generate them is an error.
+// triangles. Nodes are taken as they are listed: what would move or generate them is an error. Files
+// that *Include names are read in its place if they are in the folder of the first or below it.
 #pragma once
 
 #include <string_view>
@@ -24,7 +25,7 @@ namespace circumspect::formats {
 bool is_abaqus(const Beginning& beginning);
 
 // Points are in the order of their tags and counted from the lowest (node_tags.hpp). Errors: also,
-// several parts, included files, other systems of coordinates, generated nodes or elements, a part
+// several parts, other systems of coordinates, generated nodes or elements, a part
 // that is moved where it is placed.
 Result<ElementFile> read_abaqus(const Source& source, NumberReading reading);
 

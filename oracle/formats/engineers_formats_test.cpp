@@ -1,8 +1,10 @@
 // Files of engineers' programs, SU2 and Abaqus: what is read, what is refused, and the messages.
 #include <doctest/doctest.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/format.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/su2.hpp"
 
@@ -64,8 +66,10 @@ TEST_CASE("su2: faults and their lines") {
         "f:2: expected the number of points, 0 or more, found the end of the line");
   CHECK(su2_error("NDIME= 2\nNPOIN= 2\n0 0\n") ==
         "f:3: expected the coordinates of point 2 of 2, found the end of the file");
-  CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0 0 0\n") ==
-        "f:3: expected 2 coordinates and perhaps the index of point 1 of 1, found 4 columns");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0 0 0 0\n") ==
+        "f:3: expected 2 coordinates and perhaps the index of point 1 of 1, found 5 columns");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0 0 .5\n") ==
+        "f:3: expected the index of point 1 of 1, an integer, found \".5\"");
   CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0 x\n") ==
         "f:3: expected the index of point 1 of 1, an integer, found \"x\"");
   CHECK(
@@ -93,6 +97,32 @@ TEST_CASE("abaqus: nodes by their tags, continued lines, empty fields, what is s
   CHECK(!is_abaqus(Beginning(named("** comments alone\n"))));
   CHECK(!is_abaqus(Beginning(named("* 1 2\n"))));
   CHECK(!is_abaqus(Beginning(named("*"))));
+}
+
+TEST_CASE("abaqus: an included file is read in its place, and errors name it") {
+  const ScratchFolder folder;
+  folder.write("all.msh", "*NODE, NSET=Nall\n1, 0, 0\n2, 1, 0\n3, 0, 1\n");
+  const auto deck = [&](const std::string& elements) {
+    return read_abaqus(
+        {folder.path("deck.inp"), "*Heading\nx\n*INCLUDE, INPUT=./all.msh\n" + elements}, kDouble);
+  };
+  const auto file = deck("*Element, type=S3\n1, 1, 2, 3\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points.size() == 3);
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
+  CHECK(file->triangles.lines == std::vector<std::size_t>{5});
+  CHECK(error_of(deck("*Element, type=S3\n1, 1, 2\n")) ==
+        folder.path("deck.inp") + ":5: expected a triangle of 3 nodes, found 2");
+  folder.write("all.msh", "*NODE\n1, 0, x\n");
+  CHECK(error_of(deck("")) ==
+        folder.path("./all.msh") + ":2: expected a finite number, found \"x\"");
+  // A file that includes itself ends.
+  folder.write("all.msh", "*NODE\n1, 0, 0\n*INCLUDE, INPUT=all.msh\n");
+  CHECK(error_of(deck("")).find("expected a file to include, ") != std::string::npos);
+  // The content tells it, under another name.
+  CHECK(read_mesh({.mesh = folder.write("x.msh",
+                                        "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n*Element, "
+                                        "type=CPS3\n1, 1, 2, 3\n")}));
 }
 
 TEST_CASE("abaqus: elements that are no simplices are named with their line") {
@@ -124,8 +154,11 @@ TEST_CASE("abaqus: faults and their lines") {
         "f:2: expected a tag and 3 coordinates of a node, found 1 fields");
   CHECK(abaqus_error("*Node, system=C\n1, 0, 0, 0\n") ==
         "f:1: expected rectangular coordinates, SYSTEM=R, found \"C\"");
-  CHECK(abaqus_error("*Include, input=x.inp\n") ==
-        "f:1: expected a mesh in one file, found \"*Include, input=x.inp\"");
+  for (const std::string path : {"none.inp", "/etc/passwd", "../x.inp", ""}) {
+    CHECK(abaqus_error("*Include, input=" + path + "\n") ==
+          "f:1: expected a file to include, in the same folder or below it, found \"" + path +
+              "\"");
+  }
   CHECK(abaqus_error("*Element, type=XYZ\n1, 1\n") ==
         "f:1: expected a type of elements that is known, as TYPE=C3D4, found \"XYZ\"");
   CHECK(abaqus_error("*Element\n1, 1\n") ==

@@ -31,8 +31,6 @@ constexpr std::array kSignatures = {
     Signature{"PK\x03\x04"sv, "a ZIP archive (unpack it first)"},
     Signature{"version https://git-lfs."sv,
               "a pointer of Git LFS in place of the file (git lfs pull fetches it)"},
-    Signature{"$NOD"sv,
-              "a mesh in version 1 of Gmsh's format (gmsh -0 IN.msh -format msh41 -o OUT.msh)"},
 };
 
 // The search for a beginning stops after so many bytes: the file may be large and consist of one
@@ -93,7 +91,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   if (is_fluent(lines.tokens()[0])) {
     return "a mesh of Fluent (" + read_by_meshio("IN" + end, "ansys") + ")";
   }
-  if (is_abaqus(Beginning(beginning)) && end != ".inp" && format_of(end) != nullptr) {
+  const Format* const read_as = format_of(end, beginning);
+  if (is_abaqus(Beginning(beginning)) && read_as != nullptr && read_as->elements != read_abaqus) {
     return "a mesh of Abaqus (give its name the ending .inp)";
   }
   if (is_gid(lines.tokens())) {

@@ -26,10 +26,12 @@ class GmshReader {
   Status expect_word(std::string_view word);
   Status read_header();
   Status read_section(std::string_view keyword);
+  Status read_section_1(std::string_view keyword);
   Status read_nodes_2();
   Status read_nodes_4();
   Status read_node_block(std::size_t& read);
   Status read_coordinates(std::size_t more, const Item& item);
+  Status read_elements_1();
   Status read_elements_2();
   Status read_elements_4();
   Status read_element_block(std::size_t& read);
@@ -45,7 +47,7 @@ class GmshReader {
   void skip_line(std::string_view first_word);
 
   MixedText text_;
-  std::size_t version_ = 0;  // 2 or 4
+  std::size_t version_ = 0;  // 1, 2 or 4
   bool has_nodes_ = false;
   bool has_elements_ = false;
   bool has_skipped_line_ = false;
@@ -286,8 +288,45 @@ Status GmshReader::read_elements_4() {
   return text_.fail(std::to_string(*count) + " elements in all blocks", std::to_string(read));
 }
 
+// In version 1: a tag, the type, the physical group, the entity, the number of nodes, and these.
+Status GmshReader::read_elements_1() {
+  const Result<std::size_t> count = text_.count_in_text("the number of elements");
+  if (!count) return tl::unexpected(count.error());
+  for (std::size_t i = 0; i < *count; ++i) {
+    Status skipped = text_.skip_numbers(kInt32, 1, one_of_all("the tag of ", "element", i, *count));
+    if (!skipped) return skipped;
+    const Result<const ElementType*> type = read_type();
+    if (!type) return tl::unexpected(type.error());
+    const Vertex group = text_.take(kInt32, "the physical group of an element");
+    text_.take(kInt32, "the entity of an element");
+    const Vertex nodes = text_.take(kInt32, "the number of nodes of an element");
+    if (text_.has_failed()) return text_.failure();
+    if (nodes != static_cast<Vertex>((*type)->vertices)) {
+      return text_.fail(
+          std::to_string((*type)->vertices) + " nodes of " + std::string((*type)->name),
+          std::to_string(nodes));
+    }
+    if (Status vertices = read_vertices(**type, kInt32, group); !vertices) return vertices;
+  }
+  return {};
+}
+
+Status GmshReader::read_section_1(std::string_view keyword) {
+  text_.begin_section();
+  if (keyword == "$NOD" && !std::exchange(has_nodes_, true)) {
+    const Status nodes = read_nodes_2();
+    return nodes ? expect_word("$ENDNOD") : nodes;
+  }
+  if (keyword == "$ELM" && !std::exchange(has_elements_, true)) {
+    const Status elements = read_elements_1();
+    return elements ? expect_word("$ENDELM") : elements;
+  }
+  return text_.fail_at_word("one section $NOD and one section $ELM");
+}
+
 // Requires: `keyword` has just been read, and begins with '$'.
 Status GmshReader::read_section(std::string_view keyword) {
+  if (version_ == 1) return read_section_1(keyword);
   const std::string end = "$End" + std::string(keyword.substr(1));
   text_.begin_section();
   if (keyword == "$Nodes" || keyword == "$Elements") {
@@ -332,7 +371,11 @@ Result<ElementFile> GmshReader::read() {
       return tl::unexpected(comments.error());
     }
   }
-  if (Status header = read_header(); !header) return tl::unexpected(header.error());
+  if (text_.peek() == "$NOD") {
+    version_ = 1;
+  } else if (Status header = read_header(); !header) {
+    return tl::unexpected(header.error());
+  }
   file_.points.dimension = 3;
   file_.points.points.set_columns(3);
   while (true) {
@@ -355,7 +398,7 @@ Result<ElementFile> GmshReader::read() {
 
 }  // namespace
 
-bool is_gmsh_keyword(std::string_view token) { return token == "$MeshFormat"; }
+bool is_gmsh_keyword(std::string_view token) { return token == "$MeshFormat" || token == "$NOD"; }
 
 Result<ElementFile> read_gmsh(const Source& source, NumberReading reading) {
   return GmshReader(source, reading).read();

@@ -4,6 +4,7 @@
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/freefem.hpp"
+#include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/mfem.hpp"
 #include "oracle/formats/read_domain.hpp"
@@ -118,6 +119,22 @@ TEST_CASE("mfem: faults and their lines") {
   CHECK(mfem_error(with_nodes("H1_3D_P1", "1", "0 0 0\n1 0 0\n0 1 0\n")) ==
         "f:27: expected 3 numbers for each node, and a node for each of 4 vertices, found 9 "
         "numbers");
+}
+
+TEST_CASE("gmsh: version 1, as older programs write it") {
+  const std::string nodes = "$NOD\n3\n1 0 0 0\n2 1 0 0\n3 0 .1 0\n$ENDNOD\n";
+  const auto read = [](const std::string& text) { return read_gmsh(named(text), kDouble); };
+  const auto file = read(nodes + "$ELM\n2\n1 2 7 1 3 1 2 3\n2 1 8 1 2 1 2\n$ENDELM\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points[2] == Point{0, exact_value(0.1), 0});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
+  CHECK(file->triangles.labels == std::vector<Vertex>{7});
+  CHECK(file->edges.simplices == std::vector<Simplex>{{1, 2}});
+  CHECK(error_of(read(nodes + "$ELM\n1\n1 2 7 1 4 1 2 3 3\n$ENDELM\n")) ==
+        "f:9: expected 3 nodes of a triangle, found 4");
+  CHECK(error_of(read(nodes + nodes)) ==
+        "f:7: expected one section $NOD and one section $ELM, found \"$NOD\"");
+  CHECK(error_of(read(nodes)) == "f:6: expected the section $Elements, found the end of the file");
 }
 
 TEST_CASE("formats that share an ending: the content decides, and the first is the usual one") {

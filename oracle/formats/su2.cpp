@@ -88,13 +88,14 @@ Status Su2Reader::read_points() {
     const std::string which =
         " of point " + std::to_string(i + 1) + " of " + std::to_string(*points);
     if (!lines_.next()) return lines_.fail_at(0, "the coordinates" + which);
-    if (lines_.size() != dimension && lines_.size() != dimension + 1) {
+    // Meshes that were cut for several processors have two indices.
+    if (lines_.size() < dimension || lines_.size() > dimension + 2) {
       return lines_.fail(std::to_string(dimension) + " coordinates and perhaps the index" + which,
                          std::to_string(lines_.size()) + " columns");
     }
     Status read = lines_.add_numbers(0, dimension, reading_, file_.points.points);
-    if (read && lines_.size() > dimension) {
-      const Result<Vertex> index = lines_.integer(dimension, "the index" + which);
+    for (std::size_t column = dimension; read && column < lines_.size(); ++column) {
+      const Result<Vertex> index = lines_.integer(column, "the index" + which);
       if (!index) return tl::unexpected(index.error());
     }
     if (!read) return read;

@@ -80,6 +80,21 @@ TEST_CASE("of equal weighted points the heaviest is left, of several the first")
   CHECK(mesh.listed(mesh.simplices[1], 1) == Simplex{12, 14, 15});
 }
 
+TEST_CASE("points that have indices of their own keep them, and are named by them") {
+  Mesh mesh;
+  mesh.coordinates = numbers_of(kPoints, 2);
+  mesh.simplices = IndexLists(std::vector<Simplex>{{2, 4, 5}, {0, 7, -1}});
+  mesh.first_index = 10;
+  mesh.labels = {10, 20, 30, 40, 50, 60};  // others were left out
+  const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+  CHECK(mesh.labels == std::vector<Vertex>{10, 20, 60});
+  CHECK(mesh.listed(mesh.simplices[0], 0) == Simplex{30, 50, 60});
+  CHECK(mesh.listed(mesh.simplices[1]) == Simplex{10, 17, 9});
+  REQUIRE(repeated.size() == 3);
+  CHECK(index_of_place(repeated.front().kept, 10) == 10);
+  CHECK(index_of_place(repeated.front().again, 10) == 30);
+}
+
 TEST_CASE("what names no point names none when points are merged, and is named as it was") {
   for (const Vertex wrong : {Vertex{-1}, Vertex{6}, kMost, kLeast}) {
     const Mesh mesh = merged({}, {{2, wrong}});

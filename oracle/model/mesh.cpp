@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -273,8 +272,11 @@ Numbers rows_at(const Numbers& numbers, const std::vector<std::size_t>& places) 
 // Renames the vertices to the points that are left, and keeps the lists with the original names.
 class Renaming {
  public:
-  Renaming(Mesh& mesh, std::vector<Vertex> representative_of, std::vector<Vertex> place_of)
+  // `own`: the user's index of each point.
+  Renaming(Mesh& mesh, std::vector<Vertex> own, std::vector<Vertex> representative_of,
+           std::vector<Vertex> place_of)
       : mesh_(mesh),
+        own_(std::move(own)),
         representative_of_(std::move(representative_of)),
         place_of_(std::move(place_of)) {}
 
@@ -283,7 +285,11 @@ class Renaming {
       const Simplex listed = cells[i];
       if (!rename(cells[i])) continue;
       Simplex indices;
-      for (const Vertex v : listed) indices.push_back(index_of_place(v, mesh_.first_index));
+      for (const Vertex v : listed) {
+        const bool is_point = v >= 0 && v < static_cast<Vertex>(own_.size());
+        indices.push_back(is_point ? own_[static_cast<std::size_t>(v)]
+                                   : index_of_place(v, mesh_.first_index));
+      }
       if (are_simplices) mesh_.as_listed.by_place.emplace(i, indices);
       mesh_.as_listed.by_set.emplace(sorted(cells[i]),
                                      AsListed::Cell{cells[i], std::move(indices)});
@@ -305,6 +311,7 @@ class Renaming {
   }
 
   Mesh& mesh_;
+  std::vector<Vertex> own_;
   std::vector<Vertex> representative_of_;
   std::vector<Vertex> place_of_;
 };
@@ -316,9 +323,10 @@ std::vector<Duplicate> equal_points(const Mesh& mesh) {
 }
 
 std::vector<Duplicate> merge_equal_points(Mesh& mesh) {
-  assert(mesh.labels.empty());
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (repeated.empty()) return repeated;
+  std::vector<Vertex> own;
+  for (Vertex v = 0; mesh.names(v); ++v) own.push_back(mesh.label(v));
   std::vector<Vertex> representative_of = representatives(mesh, repeated);
   std::vector<bool> repeats(mesh.points(), false);
   for (const Duplicate& duplicate : repeated) {
@@ -331,7 +339,7 @@ std::vector<Duplicate> merge_equal_points(Mesh& mesh) {
     if (repeats[v]) continue;
     place_of[v] = static_cast<Vertex>(left.size());
     left.push_back(static_cast<std::size_t>(representative_of[v]));
-    labels.push_back(index_of_place(representative_of[v], mesh.first_index));
+    labels.push_back(own[static_cast<std::size_t>(representative_of[v])]);
   }
   for (const Duplicate& duplicate : repeated) {
     place_of[static_cast<std::size_t>(duplicate.again)] =
@@ -340,9 +348,13 @@ std::vector<Duplicate> merge_equal_points(Mesh& mesh) {
   mesh.coordinates = rows_at(mesh.coordinates, left);
   mesh.weights = rows_at(mesh.weights, left);
   mesh.labels = std::move(labels);
-  Renaming renaming(mesh, std::move(representative_of), std::move(place_of));
+  Renaming renaming(mesh, own, std::move(representative_of), std::move(place_of));
   mesh.simplices = IndexLists(renaming.renamed(mesh.simplices.lists(), true));
   mesh.faces = renaming.renamed(std::move(mesh.faces), false);
+  const auto in_file = [&](Vertex v) {
+    return place_of_index(own[static_cast<std::size_t>(v)], mesh.first_index);
+  };
+  for (Duplicate& one : repeated) one = {in_file(one.kept), in_file(one.again)};
   return repeated;
 }
 

@@ -105,7 +105,8 @@ std::vector<Duplicate> equal_points(const Mesh& mesh);
 // Replaces equal points by one: the first of them, or the heaviest (the first of several such) if
 // they have weights, since the others are submerged below it. It takes the place of the first, and
 // keeps its own index and its weight. Simplices and faces that name another of these points then
-// name the kept one, and Mesh::as_listed keeps what they named. Returns the result of equal_points.
+// name the kept one, and Mesh::as_listed keeps what they named. Returns the result of equal_points
+// by places in the file: the user's own indices, counted from 0.
 // Requires: nothing has been merged before.
 std::vector<Duplicate> merge_equal_points(Mesh& mesh);
 

@@ -1,4 +1,4 @@
-#include "inputs/arrangement.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
 
 #include <algorithm>
 #include <map>
