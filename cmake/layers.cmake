@@ -207,9 +207,10 @@ function(circumspect_compile_test target)
                                                DOCTEST_CONFIG_NO_TRY_CATCH_IN_ASSERTS)
 endfunction()
 
-# A program that reads options and leaves the work to the layers. `make test` has it compiled as the tests are, in half
-# the time; where it is not linked by mold, which would take the copies of std::vector's functions from it, and where
-# there are no tests, as in what is shipped, GCC optimizes it a little.
+# A program that reads options and leaves the work to the layers. `make test` has it compiled as
+# the tests are, in half the time; where it is not linked by mold, which would take the copies of
+# std::vector's functions from it, and where there are no tests, as in what is shipped, GCC
+# optimizes it a little.
 function(circumspect_compile_front target)
   if(CIRCUMSPECT_BUILD_TESTS AND CIRCUMSPECT_TEST_LAUNCHER AND CIRCUMSPECT_MOLD)
     target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)

@@ -48,7 +48,8 @@ std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& m
   for (std::size_t i = 0; i < mesh.simplices.size(); ++i) {
     if (mesh.simplices[i].size() != 3) return std::nullopt;
   }
-  if (formats::extension(path) != ".off" && !formats::is_domain_file(path)) return std::nullopt;
+  if (formats::extension_inside(path) != ".off" && !formats::is_domain_file(path))
+    return std::nullopt;
   return fmt::format(
       "{0}: triangles in space are a surface, not a mesh of what it encloses. circumspect inspect "
       "--domain {0} tells whether the surface is valid, and circumspect check MESH --domain {0} "

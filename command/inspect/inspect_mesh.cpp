@@ -225,8 +225,8 @@ class InspectedMesh {
 }  // namespace
 
 bool is_mesh_file(const std::string& path) {
-  const std::string end = formats::extension(path);
-  return end == ".ele" || end == ".tet" || end == ".npz" || end == ".qhull-i";
+  const std::string end = formats::extension_inside(path);
+  return end == ".ele" || end == ".tet" || end == ".npz" || end == ".qhull-i" || end == ".foam";
 }
 
 std::vector<std::string> mesh_facts() {

@@ -201,17 +201,25 @@ def parts(commands, corpus, folder):
         expect(f"parts, {wrong}", (ended.returncode, said in ended.stderr), (3, True))
 
 
-def ranks_that_are_told_otherwise(commands, corpus, folder):
-    """Nothing is judged where ranks are asked other questions, or see other files; and no rank waits for one that has ended."""
+def ranks_that_are_asked_otherwise(commands, corpus, _folder):
+    """Nothing is judged where ranks are asked other questions, and no rank waits for one that has ended."""
     mesh = str(corpus / SOME[0])
     for other in (["--claim", "triangulation"], ["--help"], ["--version"], ["--nonsense"], ["--max-errors", "1"]):
         for words in ([[mesh], [mesh, *other]], [[mesh, *other], [mesh]]):
             ended = commands.with_other_words(*words)
             expect(f"one rank with {other}", (ended.returncode, ended.stdout, "the same program and arguments" in ended.stderr),
                    (2, "", True))
+
+
+def points_and_simplices(corpus):
     whole = corpus / "peers/tetgen/random-3d-500.1.ele"
     points, simplices = rows_of(whole.with_suffix(".node"), float), [tuple(v - 1 for v in row) for row in rows_of(whole, int)]
-    here, there = folder / "here", folder / "there"
+    return points, simplices
+
+
+def files_that_differ_at_an_end(commands, corpus, folder):
+    """Nothing is judged where ranks see other files."""
+    (points, simplices), here, there = points_and_simplices(corpus), folder / "here", folder / "there"
     moved = [(points[0][0] + 2 ** -20, *points[0][1:]), *points[1:]]
     for what, others in [("fewer points", points[:-9]), ("more points", points + points[:7]), ("a moved point", moved)]:
         for place, some in ((here, points), (there, others)):
@@ -221,7 +229,6 @@ def ranks_that_are_told_otherwise(commands, corpus, folder):
         for folders in ((here, there), (there, here)):
             ended = commands.with_other_words(*([place, "s.npy", "--points", "p.npy"] for place in folders))
             expect(what, (ended.returncode, ended.stdout, "p.npy: expected the same file at all ranks" in ended.stderr), (3, "", True))
-    files_that_differ_in_the_middle(commands, here, there, points, simplices)
     npy(there / "s.npy", "<i4", 4, simplices[1:])
     ended = commands.with_other_words(*([place, "s.npy", "--points", "p.npy"] for place in (here, there)))
     expect("fewer simplices", (ended.returncode, ended.stdout, "s.npy: expected the same file at all ranks" in ended.stderr), (3, "", True))
@@ -229,12 +236,14 @@ def ranks_that_are_told_otherwise(commands, corpus, folder):
     expect("no file at one rank", commands.with_other_words(*([place, "s.npy", "--points", "p.npy"] for place in (here, there))).returncode, 3)
 
 
-def files_that_differ_in_the_middle(commands, here, there, points, simplices):
+def files_that_differ_in_the_middle(commands, corpus, folder):
     """As large and with the same ends, wherever the ranks are that have the other file, and whoever reads the place; copies are the same."""
+    (points, simplices), here, there = points_and_simplices(corpus), folder / "here", folder / "there"
     other_points = [*points[:250], tuple(-x for x in points[250]), *points[251:]]  # three bits, one in each of three words in a row
     other_simplices = [*simplices[:1500], (*simplices[1500][1:], simplices[1500][0]), *simplices[1501:]]
     for name, other_p, other_s in [("p.npy", other_points, simplices), ("s.npy", points, other_simplices), ("", points, simplices)]:
         for place, p, s in ((here, points, simplices), (there, other_p, other_s)):
+            place.mkdir(exist_ok=True)
             npy(place / "p.npy", "<f8", 3, p)
             npy(place / "s.npy", "<i4", 4, s)
         for folders in ((here, there), (here, here, here, there), (there, here, there, here, there)):
@@ -288,7 +297,7 @@ def main(words):
     # mpirun takes a third of a second to start, and most of that it sleeps.
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor() as pool:
         running = [pool.submit(commands.same, 3, corpus / mesh) for mesh in SOME]
-        for test in (arrays, parts, ranks_that_are_told_otherwise):
+        for test in (arrays, parts, ranks_that_are_asked_otherwise, files_that_differ_at_an_end, files_that_differ_in_the_middle):
             (pathlib.Path(folder) / test.__name__).mkdir()
             running.append(pool.submit(test, commands, corpus, pathlib.Path(folder) / test.__name__))
         running += [pool.submit(test, commands, corpus / SOME[1]) for test in (one_dies, statistics)]

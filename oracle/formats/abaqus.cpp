@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/text_lines.hpp"
 #include "oracle/formats/node_tags.hpp"
 
 namespace circumspect::formats {
@@ -16,60 +17,60 @@ namespace {
 
 // Types by their names: the longest that a name begins with counts, and what follows it (R: reduced
 // integration, H: hybrid, …) says nothing about the shape.
-struct Type {
+struct AbaqusType {
   std::string_view name;
   std::size_t nodes;
   ElementShape shape;
   std::string_view words;
 };
 using enum ElementShape;
-constexpr std::array kTypes = {
-    Type{"C3D4", 4, kTetrahedron, "a tetrahedron"},
-    Type{"C3D10", 10, kCurved, "a tetrahedron of second order"},
-    Type{"C3D5", 5, kOtherSolid, "a pyramid"},
-    Type{"C3D6", 6, kOtherSolid, "a prism"},
-    Type{"C3D8", 8, kOtherSolid, "a hexahedron"},
-    Type{"C3D15", 15, kCurved, "a prism of second order"},
-    Type{"C3D20", 20, kCurved, "a hexahedron of second order"},
-    Type{"DC3D4", 4, kTetrahedron, "a tetrahedron"},
-    Type{"DC3D10", 10, kCurved, "a tetrahedron of second order"},
-    Type{"DC3D6", 6, kOtherSolid, "a prism"},
-    Type{"DC3D8", 8, kOtherSolid, "a hexahedron"},
-    Type{"AC3D4", 4, kTetrahedron, "a tetrahedron"},
-    Type{"CPS3", 3, kPolygon, "a triangle"},
-    Type{"CPE3", 3, kPolygon, "a triangle"},
-    Type{"CAX3", 3, kPolygon, "a triangle"},
-    Type{"DC2D3", 3, kPolygon, "a triangle"},
-    Type{"S3", 3, kPolygon, "a triangle"},
-    Type{"STRI3", 3, kPolygon, "a triangle"},
-    Type{"M3D3", 3, kPolygon, "a triangle"},
-    Type{"R3D3", 3, kPolygon, "a triangle"},
-    Type{"SFM3D3", 3, kPolygon, "a triangle"},
-    Type{"CPS6", 6, kCurved, "a triangle of second order"},
-    Type{"CPE6", 6, kCurved, "a triangle of second order"},
-    Type{"CAX6", 6, kCurved, "a triangle of second order"},
-    Type{"STRI65", 6, kCurved, "a triangle of second order"},
-    Type{"S6", 6, kCurved, "a triangle of second order"},
-    Type{"CPS4", 4, kPolygon, "a quadrilateral"},
-    Type{"CPE4", 4, kPolygon, "a quadrilateral"},
-    Type{"CAX4", 4, kPolygon, "a quadrilateral"},
-    Type{"S4", 4, kPolygon, "a quadrilateral"},
-    Type{"M3D4", 4, kPolygon, "a quadrilateral"},
-    Type{"R3D4", 4, kPolygon, "a quadrilateral"},
-    Type{"SFM3D4", 4, kPolygon, "a quadrilateral"},
-    Type{"CPS8", 8, kCurved, "a quadrilateral of second order"},
-    Type{"CPE8", 8, kCurved, "a quadrilateral of second order"},
-    Type{"S8", 8, kCurved, "a quadrilateral of second order"},
-    Type{"T2D2", 2, kPolyline, "an edge"},
-    Type{"T3D2", 2, kPolyline, "an edge"},
-    Type{"B21", 2, kPolyline, "an edge"},
-    Type{"B31", 2, kPolyline, "an edge"},
-    Type{"MASS", 1, kPoint, "a point"},
+constexpr std::array kAbaqusTypes = {
+    AbaqusType{"C3D4", 4, kTetrahedron, "a tetrahedron"},
+    AbaqusType{"C3D10", 10, kCurvedTetrahedron, "a tetrahedron of second order"},
+    AbaqusType{"C3D5", 5, kOtherSolid, "a pyramid"},
+    AbaqusType{"C3D6", 6, kOtherSolid, "a prism"},
+    AbaqusType{"C3D8", 8, kOtherSolid, "a hexahedron"},
+    AbaqusType{"C3D15", 15, kCurved, "a prism of second order"},
+    AbaqusType{"C3D20", 20, kCurved, "a hexahedron of second order"},
+    AbaqusType{"DC3D4", 4, kTetrahedron, "a tetrahedron"},
+    AbaqusType{"DC3D10", 10, kCurvedTetrahedron, "a tetrahedron of second order"},
+    AbaqusType{"DC3D6", 6, kOtherSolid, "a prism"},
+    AbaqusType{"DC3D8", 8, kOtherSolid, "a hexahedron"},
+    AbaqusType{"AC3D4", 4, kTetrahedron, "a tetrahedron"},
+    AbaqusType{"CPS3", 3, kPolygon, "a triangle"},
+    AbaqusType{"CPE3", 3, kPolygon, "a triangle"},
+    AbaqusType{"CAX3", 3, kPolygon, "a triangle"},
+    AbaqusType{"DC2D3", 3, kPolygon, "a triangle"},
+    AbaqusType{"S3", 3, kPolygon, "a triangle"},
+    AbaqusType{"STRI3", 3, kPolygon, "a triangle"},
+    AbaqusType{"M3D3", 3, kPolygon, "a triangle"},
+    AbaqusType{"R3D3", 3, kPolygon, "a triangle"},
+    AbaqusType{"SFM3D3", 3, kPolygon, "a triangle"},
+    AbaqusType{"CPS6", 6, kCurvedTriangle, "a triangle of second order"},
+    AbaqusType{"CPE6", 6, kCurvedTriangle, "a triangle of second order"},
+    AbaqusType{"CAX6", 6, kCurvedTriangle, "a triangle of second order"},
+    AbaqusType{"STRI65", 6, kCurvedTriangle, "a triangle of second order"},
+    AbaqusType{"S6", 6, kCurvedTriangle, "a triangle of second order"},
+    AbaqusType{"CPS4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"CPE4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"CAX4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"S4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"M3D4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"R3D4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"SFM3D4", 4, kPolygon, "a quadrilateral"},
+    AbaqusType{"CPS8", 8, kCurved, "a quadrilateral of second order"},
+    AbaqusType{"CPE8", 8, kCurved, "a quadrilateral of second order"},
+    AbaqusType{"S8", 8, kCurved, "a quadrilateral of second order"},
+    AbaqusType{"T2D2", 2, kPolyline, "an edge"},
+    AbaqusType{"T3D2", 2, kPolyline, "an edge"},
+    AbaqusType{"B21", 2, kPolyline, "an edge"},
+    AbaqusType{"B31", 2, kPolyline, "an edge"},
+    AbaqusType{"MASS", 1, kPoint, "a point"},
 };
 
-const Type* type_of(std::string_view name) {
-  const Type* found = nullptr;
-  for (const Type& type : kTypes) {
+const AbaqusType* abaqus_type_of(std::string_view name) {
+  const AbaqusType* found = nullptr;
+  for (const AbaqusType& type : kAbaqusTypes) {
     if (!name.starts_with(type.name)) continue;
     // "C3D10" is no "C3D1" with something behind it.
     const std::string_view behind = name.substr(type.name.size());
@@ -79,33 +80,15 @@ const Type* type_of(std::string_view name) {
   return found;
 }
 
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
 // The text line by line; comments and empty lines are skipped.
 class Fields {
  public:
-  explicit Fields(const Source& source) : name_(source.name), rest_(source.text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-  }
+  explicit Fields(const Source& source) : lines_(source) {}
 
   // Goes to the next line; false at the end.
   bool next() {
-    while (!rest_.empty()) {
-      ++line_;
-      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      text_ = without_blanks(rest_.substr(0, end));
-      rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    while (lines_.next()) {
+      text_ = without_blanks(lines_.text());
       if (!text_.empty() && !text_.starts_with("**")) return true;
     }
     text_ = {};
@@ -114,8 +97,7 @@ class Fields {
 
   bool is_keyword() const { return text_.starts_with('*'); }
   std::string_view text() const { return text_; }
-  std::size_t line() const { return line_; }
-  std::size_t bytes_left() const { return rest_.size(); }
+  std::size_t line() const { return lines_.line(); }
   bool goes_on() const { return text_.ends_with(','); }
 
   // What is between the commas; a comma at the end ends no further field.
@@ -131,15 +113,12 @@ class Fields {
   }
 
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const {
-    return tl::unexpected(
-        FormatError{name_, std::max<std::size_t>(line_, 1), std::move(expected), std::move(found)});
+    return lines_.fail(std::move(expected), std::move(found));
   }
 
  private:
-  std::string name_;
-  std::string_view rest_;
+  TextLines lines_;
   std::string_view text_;
-  std::size_t line_ = 0;
   std::vector<std::string_view> fields_;
 };
 
@@ -183,7 +162,7 @@ class AbaqusReader {
   Status read_section();
   Status read_nodes();
   Status read_node();
-  Status read_elements(const Type& type);
+  Status read_elements(const AbaqusType& type);
   Status read_instance();
   Result<Vertex> integer(std::string_view field, std::string_view what) const;
   void skip_data() {
@@ -244,7 +223,7 @@ Status AbaqusReader::read_nodes() {
   return {};
 }
 
-Status AbaqusReader::read_elements(const Type& type) {
+Status AbaqusReader::read_elements(const AbaqusType& type) {
   has_elements_ = true;
   if (option(fields_.fields(), "INPUT")) return fields_.fail("a mesh in one file", "INPUT=");
   is_there_ = fields_.next();
@@ -293,7 +272,7 @@ Status AbaqusReader::read_section() {
   }
   if (keyword == "*ELEMENT") {
     const auto name = option(fields_.fields(), "TYPE");
-    const Type* const type = name ? type_of(*name) : nullptr;
+    const AbaqusType* const type = name ? abaqus_type_of(*name) : nullptr;
     if (type != nullptr) return read_elements(*type);
     return fields_.fail("a type of elements that is known, as TYPE=C3D4",
                         name ? quote(*name) : "none");

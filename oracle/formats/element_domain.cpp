@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "oracle/formats/curved_elements.hpp"
 #include "oracle/formats/plane.hpp"
 
 namespace circumspect::formats {
@@ -106,6 +107,7 @@ Result<DomainFile> domain_of(const ElementFile& elements, const std::string& nam
   DomainFile domain;
   domain.name = name;
   domain.notes = elements.notes;
+  if (auto note = note_of_curved(elements, name)) domain.notes.push_back(std::move(*note));
   Status status = take_points(domain, elements.points, 0);
   if (status) status = add_edges(domain, elements.edges);
   if (domain.dimension == 3 || elements.edges.simplices.empty()) {
@@ -114,8 +116,10 @@ Result<DomainFile> domain_of(const ElementFile& elements, const std::string& nam
   if (!status) return tl::unexpected(status.error());
   const std::vector<bool> dropped =
       domain.dimension == 2
-          ? points_of_cells_alone(domain, {&elements.triangles, &elements.polygons})
-          : points_of_cells_alone(domain, {&elements.tetrahedra, &elements.other_solids});
+          ? points_of_cells_alone(domain,
+                                  {&elements.triangles, &elements.polygons, &elements.curved})
+          : points_of_cells_alone(domain,
+                                  {&elements.tetrahedra, &elements.other_solids, &elements.curved});
   if (std::find(dropped.begin(), dropped.end(), true) != dropped.end()) {
     drop_points(domain, dropped);
   }

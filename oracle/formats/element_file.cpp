@@ -21,16 +21,27 @@ void add_to(SimplexFile& list, std::span<const Vertex> vertices, std::size_t lin
 std::size_t fewest_vertices(ElementShape shape) {
   switch (shape) {
     case ElementShape::kPolyline:
+    case ElementShape::kCurvedEdge:
       return 2;
     case ElementShape::kPolygon:
     case ElementShape::kStrip:
+    case ElementShape::kCurvedTriangle:
       return 3;
     case ElementShape::kPixel:
     case ElementShape::kTetrahedron:
+    case ElementShape::kCurvedTetrahedron:
       return 4;
     default:
       return 1;
   }
+}
+
+// Its corners are the simplex that is judged.
+void add_curved(ElementFile& file, SimplexFile& list, std::span<const Vertex> vertices,
+                std::size_t corners, std::size_t line, std::optional<Vertex> label) {
+  add_to(list, vertices.first(corners), line, label);
+  add_to(file.curved, vertices, line, {});
+  file.corners_of_curved.push_back(corners);
 }
 
 void add_polygon(ElementFile& file, std::span<const Vertex> vertices, std::string_view name,
@@ -90,6 +101,15 @@ std::optional<std::string> add_element(ElementFile& file, ElementShape shape,
       if (!file.first_other) file.first_other = {std::string(name), line};
       add_to(file.other_solids, vertices, line, label);
       break;
+    case ElementShape::kCurvedEdge:
+      add_curved(file, file.edges, vertices, 2, line, label);
+      break;
+    case ElementShape::kCurvedTriangle:
+      add_curved(file, file.triangles, vertices, 3, line, label);
+      break;
+    case ElementShape::kCurvedTetrahedron:
+      add_curved(file, file.tetrahedra, vertices, 4, line, label);
+      break;
     case ElementShape::kCurved:
       if (!file.first_curved) file.first_curved = {std::string(name), line};
       break;
@@ -98,8 +118,7 @@ std::optional<std::string> add_element(ElementFile& file, ElementShape shape,
 }
 
 void finish_elements(ElementFile& file) {
-  for (SimplexFile* const list :
-       {&file.edges, &file.triangles, &file.polygons, &file.tetrahedra, &file.other_solids}) {
+  for (SimplexFile* const list : file.lists()) {
     list->vertices_per_simplex = list->simplices.columns();
     list->first_index = file.points.first_index;
   }

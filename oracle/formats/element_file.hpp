@@ -2,6 +2,7 @@
 // the files of Medit, Gmsh, VTK and Wavefront.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,7 +25,11 @@ enum class ElementShape {
   kStrip,
   kTetrahedron,
   kOtherSolid,  // hexahedra, prisms, pyramids and polyhedra, of first order
-  kCurved,      // of second order or more, of any dimension
+  // Simplices of second order or more: the corners come first.
+  kCurvedEdge,
+  kCurvedTriangle,
+  kCurvedTetrahedron,
+  kCurved,  // all others of second order or more
 };
 
 // An element type by its number in a format.
@@ -44,6 +49,10 @@ struct ElementFile {
   std::vector<std::size_t> triangles_before = {};
   SimplexFile tetrahedra = {};
   SimplexFile other_solids = {};
+  // All nodes of the simplices of second order or more, whose corners are listed above
+  // (curved_elements.hpp).
+  SimplexFile curved = {};
+  Runs<std::size_t> corners_of_curved = {};  // how many of the nodes of each
   // The first element that is not a simplex, and the first that is curved, each with its line.
   struct Named {
     std::string name;  // "a hexahedron"
@@ -52,6 +61,11 @@ struct ElementFile {
   std::optional<Named> first_other = {};
   std::optional<Named> first_curved = {};
   std::vector<std::string> notes = {};
+
+  // All of them, to go over the vertices of every element.
+  std::array<SimplexFile*, 6> lists() {
+    return {&edges, &triangles, &polygons, &tetrahedra, &other_solids, &curved};
+  }
 };
 
 // Adds an element. `name`: "a hexahedron", for the message if it cannot be judged. If it has too

@@ -97,10 +97,15 @@ TEST_CASE("abaqus: nodes by their tags, continued lines, empty fields, what is s
 
 TEST_CASE("abaqus: elements that are no simplices are named with their line") {
   const auto curved =
-      read_abaqus(named("*Node\n1,0,0,0\n*Element, type=C3D10\n1, 1,1,1,1,1,1,1,1,1,1\n"), kDouble);
+      read_abaqus(named("*Node\n1,0,0,0\n*Element, type=CPS8R\n1, 1,1,1,1,1,1,1,1\n"), kDouble);
   REQUIRE(curved);
   CHECK(check_simplices(*curved, "f").error().to_string() ==
-        "f:4: expected edges, triangles and tetrahedra, found a tetrahedron of second order");
+        "f:4: expected edges, triangles and tetrahedra, found a quadrilateral of second order");
+  const auto corners = read_abaqus(
+      named("*Node\n1,0,0,0\n*Element, type=C3D10M\n1, 1,2,3,4,5,6,7,8,9,10\n"), kDouble);
+  REQUIRE(corners);
+  CHECK(corners->tetrahedra.simplices == std::vector<Simplex>{{1, 2, 3, 4}});
+  CHECK(corners->curved.simplices.size() == 1);
   const auto solid =
       read_abaqus(named("*Node\n1,0,0,0\n*Element, type=C3D8R\n1, 1,1,1,1,1,1,1,1\n"), kDouble);
   REQUIRE(solid);

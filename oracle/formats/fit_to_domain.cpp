@@ -3,6 +3,7 @@
 #include <set>
 
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -123,6 +124,16 @@ void take_for_faces(MeshFile& file) {
   mesh.faces.insert(mesh.faces.end(), std::make_move_iterator(faces.begin()),
                     std::make_move_iterator(faces.end()));
   mesh.simplices = {};
+}
+
+void leave_out_nodes_between(const std::vector<Vertex>& indices, Mesh& mesh) {
+  if (indices.empty()) return;
+  std::vector<bool> is_between(mesh.points(), false);
+  for (const Vertex index : indices) {
+    const Vertex v = place_of_index(index, mesh.first_index);
+    if (mesh.names(v)) is_between[static_cast<std::size_t>(v)] = true;
+  }
+  leave_out_points(mesh, [&](Vertex v) { return is_between[static_cast<std::size_t>(v)]; });
 }
 
 Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>& labels,

@@ -6,6 +6,7 @@
 
 #include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/foam_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/other_kinds.hpp"
@@ -22,7 +23,6 @@ struct Signature {
 using namespace std::string_view_literals;
 
 constexpr std::array kSignatures = {
-    Signature{"\x1f\x8b"sv, "a file that gzip packed (unpack it first)"},
     Signature{"BZh"sv, "a file that bzip2 packed (unpack it first)"},
     Signature{"\xfd"
               "7zXZ"sv,
@@ -31,7 +31,6 @@ constexpr std::array kSignatures = {
     Signature{"PK\x03\x04"sv, "a ZIP archive (unpack it first)"},
     Signature{"version https://git-lfs."sv,
               "a pointer of Git LFS in place of the file (git lfs pull fetches it)"},
-    Signature{"MFEM "sv, "a mesh of MFEM (its Mesh::PrintVTU writes one that is read)"},
     Signature{"$NOD"sv,
               "a mesh in version 1 of Gmsh's format (gmsh -0 IN.msh -format msh41 -o OUT.msh)"},
 };
@@ -45,17 +44,6 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // The first line of Fluent's has an index of a section in parentheses, "(0 "made by …")".
 bool is_fluent(std::string_view first) {
   return first.size() > 1 && first[0] == '(' && is_digit(first[1]);
-}
-
-// Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first
-// vertex with its label.
-bool is_freefem(const Source& beginning) {
-  Lines lines(beginning);
-  if (!lines.next() || lines.size() != 3) return false;
-  for (std::size_t column = 0; column < 3; ++column) {
-    if (!lines.count(column, "a count")) return false;
-  }
-  return lines.next() && (lines.size() == 3 || lines.size() == 4);
 }
 
 // "MESH dimension 3 ElemType Triangle Nnode 3", in any case, perhaps with a name and with signs of
@@ -85,7 +73,7 @@ bool is_object_file(std::string_view text) {
 }  // namespace
 
 std::optional<std::string> foreign_kind(const Source& source) {
-  const std::string end = extension(source.name);
+  const std::string end = extension_inside(source.name);
   for (const auto& [bytes, what] : kSignatures) {
     if (source.text.starts_with(bytes)) return std::string(what);
   }
@@ -116,8 +104,8 @@ std::optional<std::string> foreign_kind(const Source& source) {
   if (is_jigsaw(lines.tokens())) {
     return "a mesh of JIGSAW (jigsawpy.savevtk(\"OUT.vtk\", mesh) writes one that is read)";
   }
-  if (end == ".msh" && is_freefem(beginning)) {
-    return "a mesh of FreeFem (load \"iovtk\" and savevtk(\"OUT.vtk\", Th) write one that is read)";
+  if (is_foam_file(beginning.text) && format_of(end) == nullptr) {
+    return "a file of OpenFOAM (name the case, or its folder polyMesh)";
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "oracle/formats/curved_elements.hpp"
 #include "oracle/formats/element_domain.hpp"
 #include "oracle/formats/plane.hpp"
 
@@ -14,11 +15,13 @@ Result<Contents> mesh_of(ElementFile file, const std::string& name) {
   const Status simplices = check_simplices(file, name);
   if (!simplices) return tl::unexpected(simplices.error());
   Contents contents;
+  contents.notes = std::move(file.notes);
+  if (auto note = note_of_curved(file, name)) contents.notes.push_back(std::move(*note));
+  contents.nodes_between = nodes_between_corners(file);
   TopElements top = top_elements(file);
   contents.simplices = std::move(top.simplices);
   contents.faces = std::move(top.faces);
   contents.points = RawPoints{std::move(file.points), {}, name};
-  contents.notes = std::move(file.notes);
   return contents;
 }
 
@@ -31,7 +34,7 @@ std::string listed_endings(Has content, bool in_help) {
   for (const Format& format : formats()) {
     if (!(format.*content)()) continue;
     for (const std::string_view ending : format.endings) {
-      if (ending.empty()) continue;
+      if (ending.empty() || format_of(ending) != &format) continue;
       text += (text.empty() ? "" : ", ") + std::string(ending);
       if (in_help && !format.aside.empty()) text += " (" + std::string(format.aside) + ")";
     }
@@ -72,6 +75,15 @@ const Format* format_of(std::string_view ending) {
     return has_ending(format, ending);
   });
   return found == rows.end() ? nullptr : &*found;
+}
+
+const Format* format_of(std::string_view ending, const Source& source) {
+  if (ending.empty()) return nullptr;
+  for (const Format& format : formats()) {
+    if (format.is_meant == nullptr || !has_ending(format, ending)) continue;
+    if (format.is_meant(Beginning(source))) return &format;
+  }
+  return format_of(ending);
 }
 
 const Format* told_format(const Source& source, Has content, bool has_points) {

@@ -26,6 +26,9 @@ struct Contents {
   SimplexFile simplices = {};
   std::optional<RawPoints> points = {};
   std::vector<Simplex> faces = {};  // listed beside the simplices
+  // Indices of points that are in no simplex and no face, but in an element of higher order between
+  // its corners, ascending; some may be corners of others.
+  std::vector<Vertex> nodes_between = {};
   std::vector<std::string> notes = {};
 };
 
@@ -36,6 +39,8 @@ struct Format {
   bool (*is_told)(const Beginning&) = nullptr;
   // The same for lists of numbers, which say so little that all other formats are asked before.
   bool (*is_taken_for)(const Beginning&) = nullptr;
+  // If an earlier row has the same ending: does the file begin as one of this format does?
+  bool (*is_meant)(const Beginning&) = nullptr;
 
   // Readers; null if such a file has no such content.
   Result<RawPoints> (*points)(const Source&, NumberReading) = nullptr;
@@ -69,6 +74,8 @@ std::span<const Format> formats();
 
 // The format whose files have this ending; null if there is none.
 const Format* format_of(std::string_view ending);
+// The same for a file: where formats share an ending, the content decides.
+const Format* format_of(std::string_view ending, const Source& source);
 
 // What a format has of what is looked for.
 using Has = bool (Format::*)() const;

@@ -1,23 +1,29 @@
 #include <array>
 
 #include "oracle/formats/abaqus.hpp"
+#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
+#include "oracle/formats/freefem.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/mfem.hpp"
+#include "oracle/formats/nastran.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/obj.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_lists.hpp"
 #include "oracle/formats/poly.hpp"
+#include "oracle/formats/poly_mesh.hpp"
 #include "oracle/formats/qhull.hpp"
 #include "oracle/formats/stl.hpp"
 #include "oracle/formats/su2.hpp"
 #include "oracle/formats/tet.hpp"
 #include "oracle/formats/tetgen.hpp"
+#include "oracle/formats/unv.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
 
@@ -126,12 +132,12 @@ Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
 PointsElsewhere points_beside(const Source& source, NumberReading reading, std::string& name) {
   return [&source, reading, &name]() -> Result<PointFile> {
     const std::string& poly = source.name;
-    name = poly.substr(0, poly.size() - extension(poly).size()) + ".node";
+    name = beside(poly, ".node");
     if (!exists(name)) {
       return tl::unexpected(FormatError{name, 0, "a file with the points of " + poly,
                                         "no file of that name, and no points in " + poly});
     }
-    const Result<Source> points = load(name);
+    const Result<Source> points = load_unpacked(name);
     if (!points) return tl::unexpected(points.error());
     return explained(read_node(*points, reading), *points);
   };
@@ -213,6 +219,8 @@ constexpr std::array kFormats = {
     Format{.endings = {".stl"}, .is_told = is_stl, .domain = read_stl},
     Format{.endings = {".mesh"}, .is_told = is_medit, .elements = read_medit, .write = write_medit},
     Format{.endings = {".msh"}, .is_told = is_gmsh, .elements = read_gmsh, .write = write_gmsh},
+    Format{.endings = {".mesh"}, .is_told = is_mfem, .is_meant = is_mfem, .elements = read_mfem},
+    Format{.endings = {".msh"}, .is_meant = is_freefem, .elements = read_freefem},
     Format{.endings = {".vtk"}, .is_told = begins_as_vtk, .elements = read_vtk},
     Format{.endings = {".vtu", ".vtp"},
            .is_told = begins_as_vtu,
@@ -223,7 +231,13 @@ constexpr std::array kFormats = {
            .elements = read_tet,
            .are_cells = true},
     Format{.endings = {".inp"}, .is_told = is_abaqus, .elements = read_abaqus},
+    Format{.endings = {".bdf", ".nas"}, .is_told = is_nastran, .elements = read_nastran},
+    Format{.endings = {".unv"}, .is_told = is_unv, .elements = read_unv},
     Format{.endings = {".su2"}, .is_told = is_su2, .elements = read_su2},
+    Format{.endings = {".foam"},
+           .elements = read_poly_mesh,
+           .are_cells = true,
+           .aside = "or the folder of a case of OpenFOAM"},
     Format{.endings = {".obj"}, .is_told = is_obj, .elements = read_obj, .write = write_obj},
     Format{.endings = {".ply"},
            .is_told = is_ply,

@@ -311,9 +311,8 @@ Status GmshReader::read_section(std::string_view keyword) {
   // and may contain the end marker.
   const bool is_text = !text_.is_binary() || keyword == "$PhysicalNames" || keyword == "$Comments";
   if (text_.skip_behind(end, is_text)) return {};
-  return tl::unexpected(FormatError{text_.name(), line,
-                                    end + " behind " + std::string(keyword).substr(0, 40),
-                                    "the end of the file"});
+  return tl::unexpected(FormatError{
+      text_.name(), line, shortened(end) + " behind " + shortened(keyword), "the end of the file"});
 }
 
 // Gmsh appends options there (Show "*";), and its own reader goes to the next line with a '$'.

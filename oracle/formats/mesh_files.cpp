@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/plane.hpp"
+#include "oracle/formats/poly_mesh.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
@@ -18,15 +20,17 @@ namespace circumspect::formats {
 
 namespace {
 
-std::string with_extension(const std::string& path, std::string_view extension_beside) {
-  return path.substr(0, path.size() - extension(path).size()) + std::string(extension_beside);
-}
-
 // The file of the simplices; for a file of points, the one beside it.
 std::string file_of_simplices(const std::string& path) {
-  const Format* const format = format_of(extension(path));
+  const Format* const format = format_of(extension_inside(path));
   if (format == nullptr || format->simplices_beside.empty()) return path;
-  return with_extension(path, format->simplices_beside);
+  return beside(path, format->simplices_beside);
+}
+
+// The text of a file; of a folder the name alone.
+Result<Source> load_named(const std::string& path) {
+  if (extension_inside(path) == ".foam") return Source{path, ""};
+  return load_unpacked(path);
 }
 
 // The error for a file that cannot have points.
@@ -40,9 +44,9 @@ tl::unexpected<FormatError> no_points(const Source& source) {
 Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
                             NumberReading reading) {
   if (!source) return tl::unexpected(source.error());
-  const Format* format = format_of(extension(path));
+  const Format* format = format_of(extension_inside(path), *source);
   const std::string expected = "a file of points (" + endings_of(&Format::has_points) + ")";
-  if (const auto other = other_kind(extension(path))) {
+  if (const auto other = other_kind(extension_inside(path))) {
     return tl::unexpected(FormatError{source->name, 0, expected, *other});
   }
   if (format == nullptr) format = told_format(*source, &Format::has_points);
@@ -52,6 +56,12 @@ Result<RawPoints> points_of(const Result<Source>& source, const std::string& pat
                                     "a " + std::string(format->endings.front()) + " file"});
 }
 
+// The loaded text of a file, or the file itself.
+Result<Source> source_of(const MeshRequest& request, const std::string& path) {
+  const Result<Source>* const loaded = find_loaded(request, path);
+  return loaded != nullptr ? *loaded : load_named(path);
+}
+
 // Reads a file that goes with another, and says so if it is missing.
 Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view points_beside,
                                      const MeshRequest& request) {
@@ -59,17 +69,11 @@ Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view p
     return tl::unexpected(FormatError{
         mesh, 0, request.points_option + " FILE, with the points of these simplices", "none"});
   }
-  const std::string path = with_extension(mesh, points_beside);
-  if (exists(path)) return read_points(path, request.reading);
+  const std::string path = beside(mesh, points_beside);
+  if (exists(path)) return points_of(source_of(request, path), path, request.reading);
   return tl::unexpected(
       FormatError{path, 0, "a file with the points of " + mesh,
                   "no file of that name (" + request.points_option + " names another)"});
-}
-
-// The loaded text of a file, or the file itself.
-Result<Source> source_of(const MeshRequest& request, const std::string& path) {
-  const Result<Source>* const loaded = find_loaded(request, path);
-  return loaded != nullptr ? *loaded : load(path);
 }
 
 Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
@@ -96,9 +100,9 @@ Status check_sizes(const SimplexFile& file, std::size_t dimension, const std::st
 }
 
 Status read_neighbors(const std::string& path, const ListedSimplices& simplices, Mesh& mesh) {
-  const std::string beside = with_extension(path, ".neigh");
-  if (extension(path) != ".ele" || !exists(beside)) return {};
-  const Result<Source> source = load(beside);
+  const std::string neigh = beside(path, ".neigh");
+  if (extension_inside(path) != ".ele" || !exists(neigh)) return {};
+  const Result<Source> source = load_unpacked(neigh);
   if (!source) return tl::unexpected(source.error());
   Result<NeighborFile> file = read_neigh(*source, simplices);
   if (!file) return tl::unexpected(file.error());
@@ -108,11 +112,11 @@ Status read_neighbors(const std::string& path, const ListedSimplices& simplices,
 
 // The triangles and edges beside an .ele file, if there are such files.
 Status read_faces(const std::string& name, MeshFile& read) {
-  if (extension(name) != ".ele") return {};
-  for (const auto& [beside, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
-    const std::string path = with_extension(name, beside);
+  if (extension_inside(name) != ".ele") return {};
+  for (const auto& [ending, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
+    const std::string path = beside(name, ending);
     if (!exists(path)) continue;
-    const Result<Source> source = load(path);
+    const Result<Source> source = load_unpacked(path);
     if (!source) return tl::unexpected(source.error());
     const Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
     if (!file) return tl::unexpected(file.error());
@@ -132,15 +136,15 @@ void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
 // From here on, the arrays of an archive are ordinary files, which are read at the speed of memory.
 Status unpack_archive(MeshRequest& request) {
   const Result<Source>* const loaded = find_loaded(request, request.mesh);
-  const bool is_archive = loaded == nullptr ? extension(request.mesh) == ".npz"
+  const bool is_archive = loaded == nullptr ? extension_inside(request.mesh) == ".npz"
                                             : loaded->has_value() && is_npz((*loaded)->text);
   if (!is_archive) return {};
-  const Result<Source> archive = loaded == nullptr ? load(request.mesh) : *loaded;
+  const Result<Source> archive = loaded == nullptr ? load_unpacked(request.mesh) : *loaded;
   if (!archive) return tl::unexpected(archive.error());
   const auto unpack = [&](std::string_view name) {
     Result<Source> array = array_of_npz(*archive, name);
     // Without the names that numpy.savez gives, it is an archive of other files.
-    if (extension(archive->name) != ".npz") array = explained(std::move(array), *archive);
+    if (extension_inside(archive->name) != ".npz") array = explained(std::move(array), *archive);
     if (!array) return Result<std::string>(tl::unexpected(array.error()));
     const std::string path = array->name;
     request.loaded.push_back({path, std::move(array)});
@@ -162,11 +166,11 @@ Result<Contents> read_contents(const MeshRequest& request, const std::string& pa
   const Result<Source> source = load_mesh(request, path);
   if (!source) return tl::unexpected(source.error());
   name = source->name;
-  format = format_of(extension(path));
+  format = format_of(extension_inside(path), *source);
   const std::string expected = "a mesh (" + endings_of(&Format::has_mesh) +
                                "; .ele goes with .node, .qhull-i with .qhull, .npy with " +
                                request.points_option + ")";
-  if (const auto other = other_kind(extension(path))) {
+  if (const auto other = other_kind(extension_inside(path))) {
     return tl::unexpected(FormatError{name, 0, expected, *other});
   }
   const bool has_points = request.points || request.own_points;
@@ -211,6 +215,19 @@ std::string extension(const std::string& path) {
   return end;
 }
 
+std::string extension_inside(const std::string& path) {
+  if (is_folder(path) && poly_mesh_folder(path)) return ".foam";
+  return extension(std::string(name_inside(path)));
+}
+
+std::string beside(const std::string& path, std::string_view ending) {
+  const std::string inside(name_inside(path));
+  std::string other = inside.substr(0, inside.size() - extension(inside).size());
+  other += ending;
+  const std::string packed = other + ".gz";
+  return !exists(other) && exists(packed) ? packed : other;
+}
+
 const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path) {
   const auto found = std::find_if(request.loaded.begin(), request.loaded.end(),
                                   [&path](const LoadedFile& file) { return file.path == path; });
@@ -220,25 +237,32 @@ const Result<Source>* find_loaded(const MeshRequest& request, const std::string&
 void load_streams(MeshRequest& request) {
   if (request.mesh == "-" && request.points == "-") return;
   const auto load_stream = [&request](const std::string& path) {
-    const bool says_format = format_of(extension(path)) != nullptr;
-    if (says_format && (!exists(path) || is_regular(path))) return;
-    request.loaded.push_back({path, load(path)});
+    const bool is_plain = name_inside(path) == path && format_of(extension(path)) != nullptr;
+    if (is_plain && (!exists(path) || is_regular(path))) return;
+    request.loaded.push_back({path, load_named(path)});
   };
   const std::string mesh = file_of_simplices(request.mesh);
   load_stream(mesh);
   // If the mesh is missing, say so before waiting for its points.
   const bool is_missing = mesh != "-" && !exists(mesh);
-  if (request.points && !is_missing) load_stream(*request.points);
+  if (is_missing) return;
+  const Format* const format = format_of(extension_inside(mesh));
+  const bool has_points_beside = format != nullptr && !format->points_beside.empty();
+  if (request.points) {
+    load_stream(*request.points);
+  } else if (has_points_beside) {
+    load_stream(beside(mesh, format->points_beside));
+  }
 }
 
 std::string_view format_of_points(const std::string& path, const Source* text) {
-  const Format* format = format_of(extension(path));
+  const Format* format = format_of(extension_inside(path));
   if (format == nullptr && text != nullptr) format = told_format(*text, &Format::has_points);
   return format == nullptr ? "" : format->endings.front();
 }
 
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points) {
-  const Format* format = format_of(extension(path));
+  const Format* format = format_of(extension_inside(path));
   if (format == nullptr && text != nullptr) {
     format = told_format(*text, &Format::has_mesh, if_points);
   }
@@ -246,7 +270,7 @@ std::string_view format_of_mesh(const std::string& path, const Source* text, boo
 }
 
 Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
-  return points_of(load(path), path, reading);
+  return points_of(load_named(path), path, reading);
 }
 
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
@@ -279,6 +303,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
     if (Status read = read_faces(path, file); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
   }
+  leave_out_nodes_between(contents->nodes_between, mesh);
   if (!request.kept_labels.empty()) {
     if (Status kept = keep_labelled(request.kept_labels, simplices.labels.values(), file); !kept) {
       return tl::unexpected(kept.error());

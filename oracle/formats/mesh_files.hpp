@@ -19,6 +19,13 @@ namespace circumspect::formats {
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
+// The same of what gzip packed: ".ele" of x.ele.gz; and ".foam" of the folder of a case of OpenFOAM.
+// What is read is asked by this.
+std::string extension_inside(const std::string& path);
+
+// The file beside another that has this ending instead: x.1.node beside x.1.ele, or x.1.node.gz if
+// only that is there.
+std::string beside(const std::string& path, std::string_view ending);
 
 // Reads points of any format; "-" is standard input.
 Result<RawPoints> read_points(const std::string& path, NumberReading reading);
@@ -57,7 +64,7 @@ bool may_be_of_plane(const MeshRequest& request);
 bool is_of_domain_dimension(const MeshRequest& request, const Mesh& mesh);
 
 // Reads into `loaded` pipes and standard input, which can be read only once, and the files whose
-// names do not tell their format. Fails if mesh and points are both to come from standard input.
+// names do not tell their format or are packed. Fails if mesh and points are both to come from standard input.
 void load_streams(MeshRequest& request);
 
 // The loaded text of a file; null if it was not loaded.
@@ -104,6 +111,10 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
 // simplices have the same number of vertices, at least 2 and fewer than one of full dimension, they
 // are turned into listed faces, which is noted; otherwise nothing is done. Requires: no neighbours.
 void take_for_faces(MeshFile& file);
+
+// Elements of second order are judged by their corners: leaves out the points between these
+// (curved_elements.hpp), given by the user's indices; all others keep theirs. Requires: no simplex and no face has one.
+void leave_out_nodes_between(const std::vector<Vertex>& indices, Mesh& mesh);
 
 // For a mesh of more than the domain, for example of the convex hull with label 0 outside: keeps
 // the simplices with one of these labels. Faces and points that belong only to other simplices are

@@ -293,11 +293,11 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(endings_of(&Format::has_points).starts_with(".node, .json, .off, .mesh, "));
   CHECK(endings_of(&Format::has_domain).starts_with(".poly, .smesh, .off, .stl, "));
   CHECK(endings_in_help(&Format::has_mesh).starts_with(".ele (points in the .node beside it), "));
-  const auto nastran = read_points(folder.write("x.bdf", "GRID,1\n"), NumberReading::kDouble);
-  REQUIRE(!nastran);
-  CHECK(nastran.error().found ==
-        "a mesh of Nastran (with Debian's python3-meshio: python3 -c 'import meshio; "
-        "meshio.read(\"IN.bdf\").write(\"OUT.vtu\")')");
+  const auto netgen = read_points(folder.write("x.vol", "mesh3d\n"), NumberReading::kDouble);
+  REQUIRE(!netgen);
+  CHECK(netgen.error().found ==
+        "a mesh of Netgen (with Debian's python3-meshio: python3 -c 'import meshio; "
+        "meshio.read(\"IN.vol\").write(\"OUT.vtu\")')");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

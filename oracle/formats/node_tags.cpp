@@ -50,8 +50,7 @@ Status index_by_tags(ElementFile& file, std::vector<Vertex> tags, const std::str
     const auto found = std::lower_bound(tags.begin(), tags.end(), tag);
     return found == tags.end() || *found != tag ? 0 : 1 + (found - tags.begin());
   };
-  for (SimplexFile* const list :
-       {&file.edges, &file.triangles, &file.polygons, &file.tetrahedra, &file.other_solids}) {
+  for (SimplexFile* const list : file.lists()) {
     for (std::size_t i = 0; i < list->simplices.size(); ++i) {
       for (const Vertex tag : list->simplices[i]) {
         if (place_of(tag) != 0) continue;

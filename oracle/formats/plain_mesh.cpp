@@ -1,6 +1,7 @@
 #include <new>
 #include <utility>
 
+#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/plane.hpp"
@@ -8,10 +9,6 @@
 
 namespace circumspect::formats {
 namespace {
-
-std::string beside(const std::string& path, std::string_view other_extension) {
-  return path.substr(0, path.size() - extension(path).size()) + std::string(other_extension);
-}
 
 // A file, or its loaded text.
 struct FileBytes {
@@ -80,7 +77,7 @@ bool read_plain_faces(const std::string& ele, MeshFile& read) {
   for (const auto& [end, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
     const std::string path = beside(ele, end);
     if (!exists(path)) continue;
-    const Result<Source> source = load(path);
+    const Result<Source> source = load_unpacked(path);
     if (!source) return false;
     Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
     if (!file) return false;
@@ -104,11 +101,11 @@ std::size_t columns_of(const IndexLists& simplices) {
 std::optional<MeshFile> read_rows(const MeshRequest& request, const PlainReading& reading) {
   if (request.reading != NumberReading::kDouble || request.own_points) return std::nullopt;
   std::string path = request.mesh;
-  if (extension(path) == ".node") path = beside(path, ".ele");
+  if (extension_inside(path) == ".node") path = beside(path, ".ele");
   const FileBytes bytes = bytes_of(request, path);
   if (!bytes.file) return std::nullopt;
   const std::string_view kind = format_of_mesh(path, bytes.text, request.points.has_value());
-  const bool has_files_beside = extension(path) == ".ele";
+  const bool has_files_beside = extension_inside(path) == ".ele";
   if (kind != ".ele" && kind != ".npy") return std::nullopt;
   if (!has_files_beside && (!request.points || request.with_neighbors)) return std::nullopt;
   const std::string points_path = request.points ? *request.points : beside(path, ".node");

@@ -24,6 +24,7 @@
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/element_file.hpp"
 
 namespace circumspect::formats {

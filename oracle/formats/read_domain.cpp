@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/mesh_files.hpp"
@@ -23,9 +24,9 @@ std::optional<std::string> kind_of_mesh(std::string_view ending) {
 }  // namespace
 
 bool is_domain_file(const std::string& path) {
-  const std::string end = extension(path);
+  const std::string end = extension_inside(path);
   if (end == ".ply") {  // unless it is a cloud of points
-    const Result<Source> source = load(path);
+    const Result<Source> source = load_unpacked(path);
     if (!source) return true;
     const Result<PlyFile> file = read_ply_file(*source, NumberReading::kDouble);
     return !file || !file->faces.simplices.empty();
@@ -35,10 +36,10 @@ bool is_domain_file(const std::string& path) {
 }
 
 Result<DomainFile> read_domain(const std::string& path, NumberReading reading) {
-  const Result<Source> source = load(path);
+  const Result<Source> source = load_unpacked(path);
   if (!source) return tl::unexpected(source.error());
-  const std::string end = extension(path);
-  const Format* format = format_of(end);
+  const std::string end = extension_inside(path);
+  const Format* format = format_of(end, *source);
   const std::optional<std::string> other = other_kind(end);
   const bool has_domain = format != nullptr && format->has_domain();
   if (!has_domain) format = other ? nullptr : told_format(*source, &Format::has_domain);

@@ -1,9 +1,9 @@
 #include "oracle/formats/vtk.hpp"
 
-#include <cctype>
 #include <map>
 
 #include "oracle/formats/bytes/mixed_text.hpp"
+#include "oracle/formats/bytes/text_lines.hpp"
 #include "oracle/formats/vtk_cells.hpp"
 
 namespace circumspect::formats {
@@ -11,12 +11,6 @@ namespace circumspect::formats {
 namespace {
 
 constexpr std::string_view kFirstLine = "# vtk DataFile Version ";
-
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
 
 // Surfaces list their cells by type.
 const std::map<std::string, Vertex, std::less<>> kSurfaceKeywords = {

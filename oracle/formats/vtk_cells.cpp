@@ -25,9 +25,20 @@ constexpr std::array kVtkTypes = {
     ElementType{14, 5, ElementShape::kOtherSolid, "a pyramid"},
     ElementType{15, 10, ElementShape::kOtherSolid, "a pentagonal prism"},
     ElementType{16, 12, ElementShape::kOtherSolid, "a hexagonal prism"},
+    ElementType{21, 3, ElementShape::kCurvedEdge, "an edge of second order"},
+    ElementType{22, 6, ElementShape::kCurvedTriangle, "a triangle of second order"},
+    ElementType{24, 10, ElementShape::kCurvedTetrahedron, "a tetrahedron of second order"},
+    ElementType{34, 7, ElementShape::kCurvedTriangle, "a triangle of second order"},
+    ElementType{35, 4, ElementShape::kCurvedEdge, "an edge of third order"},
     ElementType{42, 0, ElementShape::kOtherSolid, "a polyhedron"},
+    ElementType{68, 0, ElementShape::kCurvedEdge, "an edge of Lagrange's"},
+    ElementType{69, 0, ElementShape::kCurvedTriangle, "a triangle of Lagrange's"},
+    ElementType{71, 0, ElementShape::kCurvedTetrahedron, "a tetrahedron of Lagrange's"},
+    ElementType{75, 0, ElementShape::kCurvedEdge, "an edge of Bézier's"},
+    ElementType{76, 0, ElementShape::kCurvedTriangle, "a triangle of Bézier's"},
+    ElementType{78, 0, ElementShape::kCurvedTetrahedron, "a tetrahedron of Bézier's"},
 };
-constexpr Vertex kFirstCurved = 21;  // and all later ones except the polyhedron
+constexpr Vertex kFirstCurved = 21;  // and all later ones that are not listed above
 constexpr Vertex kLastCurved = 81;
 
 const ElementType* type_of(Vertex code) {

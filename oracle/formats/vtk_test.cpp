@@ -178,8 +178,9 @@ TEST_CASE("vtu: what is refused") {
         "f:2: expected type=\"UnstructuredGrid\" or \"PolyData\", found \"ImageData\"");
   CHECK(error_of(xml(document("", "UnstructuredGrid", " byte_order=\"PDP\""))) ==
         "f:1: expected byte_order=\"LittleEndian\" or \"BigEndian\", found \"PDP\"");
-  CHECK(error_of(xml(document("", "UnstructuredGrid", " compressor=\"vtkLZ4DataCompressor\""))) ==
-        "f:1: expected no compressor or vtkZLibDataCompressor, found \"vtkLZ4DataCompressor\"");
+  CHECK(error_of(xml(document("", "UnstructuredGrid", " compressor=\"vtkLZMADataCompressor\""))) ==
+        "f:1: expected no compressor, vtkZLibDataCompressor or vtkLZ4DataCompressor, found "
+        "\"vtkLZMADataCompressor\"");
   CHECK(error_of(xml(document(""))) ==
         "f:1: expected an element UnstructuredGrid with a Piece, found none");
   CHECK(error_of(xml(document("<Piece NumberOfCells=\"1\"/>\n"))) ==
@@ -210,7 +211,7 @@ TEST_CASE("vtu: bytes that are not what their lengths promise") {
   std::string inline_text = vtu(mesh, {kInline});
   inline_text.replace(inline_text.find("binary\">\n  ") + 11, 4, "~~~~");
   CHECK(error_of(xml(inline_text)) == "f:6: expected bytes in base 64, found other characters");
-  std::string packed = vtu(mesh, {kAppendedRaw, true});
+  std::string packed = vtu(mesh, {kAppendedRaw, VtuForm::Packed::kByZlib});
   const std::size_t head = packed.find("\n_") + 2;
   std::string many = packed;
   CHECK(error_of(xml(many.replace(head, 4, "\xff\xff\xff\xff"))) ==

@@ -9,6 +9,7 @@
 
 #include "oracle/formats/base64.hpp"
 #include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/lz4.hpp"
 
 namespace circumspect::formats {
 
@@ -24,6 +25,13 @@ constexpr std::size_t kNumbersPerPackedByte = 12;
 std::size_t line_at(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+}
+
+bool unpack_zlib(std::string_view block, std::span<char> to) {
+  uLongf made = to.size();
+  return ::uncompress(reinterpret_cast<Bytef*>(to.data()), &made,
+                      reinterpret_cast<const Bytef*>(block.data()), block.size()) == Z_OK &&
+         made == to.size();
 }
 
 }  // namespace
@@ -92,11 +100,13 @@ Status VtuDocument::read_attributes() {
   }
   if (lengths == "UInt64") size_of_lengths_ = 8;
   const std::string compressor = root().attribute("compressor").value();
-  is_compressed_ = compressor == "vtkZLibDataCompressor";
-  if (!is_compressed_ && !compressor.empty()) {
-    return fail(root(), "no compressor or vtkZLibDataCompressor", quote(compressor));
+  if (compressor == "vtkZLibDataCompressor") unpack_ = unpack_zlib;
+  if (compressor == "vtkLZ4DataCompressor") unpack_ = unpack_lz4;
+  if (unpack_ == nullptr && !compressor.empty()) {
+    return fail(root(), "no compressor, vtkZLibDataCompressor or vtkLZ4DataCompressor",
+                quote(compressor));
   }
-  const std::size_t per_byte = is_compressed_ ? kNumbersPerPackedByte : kNumbersPerByte;
+  const std::size_t per_byte = unpack_ != nullptr ? kNumbersPerPackedByte : kNumbersPerByte;
   most_numbers_ = kNumbersOfSmallFile + per_byte * source_.text.size();
   is_appended_base64_ =
       std::string_view(root().child("AppendedData").attribute("encoding").value()) == "base64";
@@ -197,17 +207,13 @@ Result<VtuDocument::Stored> VtuDocument::inflate(pugi::xml_node node, std::strin
   for (std::size_t i = 0; i < *blocks; ++i) {
     const std::string block =
         "block " + std::to_string(i + 1) + " of " + std::to_string(*blocks) + ", compressed";
-    const std::size_t size = sizes[i];
     const std::size_t wanted = i + 1 == *blocks ? of_last : whole;
     const std::size_t begin = bytes.size();
     bytes.resize(begin + wanted);
-    uLongf made = wanted;
-    const int status = ::uncompress(reinterpret_cast<Bytef*>(bytes.data() + begin), &made,
-                                    reinterpret_cast<const Bytef*>(rest.data()), size);
-    if (status != Z_OK || made != wanted) {
+    if (!unpack_(rest.substr(0, sizes[i]), std::span(bytes).subspan(begin))) {
       return fail(node, block + ", of " + std::to_string(wanted) + " bytes", "other data");
     }
-    rest.remove_prefix(size);
+    rest.remove_prefix(sizes[i]);
   }
   made_of.bytes = bytes;
   return made_of;
@@ -254,8 +260,8 @@ Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) {
   }
   const bool is_base64 = format == "binary" || is_appended_base64_;
   const std::size_t each = type->second.size;
-  Result<Stored> bytes = is_compressed_ ? inflate(node, stored, is_base64, each)
-                                        : decode(node, stored, is_base64, each);
+  Result<Stored> bytes = unpack_ != nullptr ? inflate(node, stored, is_base64, each)
+                                            : decode(node, stored, is_base64, each);
   if (!bytes) return tl::unexpected(bytes.error());
   MixedText text(source_.name + ":" + std::to_string(line_of(node)), bytes->bytes, reading_);
   text.set_binary(order_);

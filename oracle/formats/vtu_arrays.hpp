@@ -1,10 +1,11 @@
 // Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
-// document, raw or in base 64, compressed by zlib or not.
+// document, raw or in base 64, compressed by zlib, by LZ4 or not.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -72,7 +73,8 @@ class VtuDocument {
   bool is_appended_base64_ = false;
   ByteOrder order_ = ByteOrder::kLittleEndian;
   std::size_t size_of_lengths_ = 4;  // of those in front of bytes
-  bool is_compressed_ = false;
+  // Unpacks one block into exactly the bytes for which there is room; null if none is packed.
+  bool (*unpack_)(std::string_view block, std::span<char> to) = nullptr;
   std::size_t most_numbers_ = 0;  // in all arrays that are not text
   std::size_t numbers_ = 0;       // so far
 };

@@ -27,7 +27,7 @@ MixedText::MixedText(std::string name, std::string_view text, NumberReading read
       first_line_(first_line) {}
 
 void MixedText::begin_section() {
-  section_ = word_;
+  section_ = shortened(word_);
   section_at_ = read_at_;
 }
 

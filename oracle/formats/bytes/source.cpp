@@ -32,6 +32,10 @@ std::string quote(std::string_view bytes) {
   return text + "\"";
 }
 
+std::string shortened(std::string_view bytes) {
+  return std::string(bytes.substr(0, kLongestQuote)) + (bytes.size() > kLongestQuote ? "..." : "");
+}
+
 // ---- Source ----
 
 namespace {
@@ -116,6 +120,11 @@ Result<Source> load(const std::string& path) {
 bool exists(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0;
+}
+
+bool is_folder(const std::string& path) {
+  struct stat status = {};
+  return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 
 bool is_regular(const std::string& path) {

@@ -33,6 +33,9 @@ using Status = Result<void>;
 // with everything that is not printable ASCII written as \xNN.
 inline constexpr std::size_t kLongestQuote = 40;
 std::string quote(std::string_view bytes);
+// The same without quotes, for a name that the file gives to a part of it; what is not printable is
+// left for FormatError to escape.
+std::string shortened(std::string_view bytes);
 
 // ---- Source ----
 // The text of a file, and the name under which messages speak of it.
@@ -48,6 +51,9 @@ Result<Source> load(const std::string& path);
 
 // Is there a file, of whatever kind, at this path?
 bool exists(const std::string& path);
+
+// Is there a folder at this path?
+bool is_folder(const std::string& path);
 
 // Is it a regular file, and not a pipe, device or folder?
 bool is_regular(const std::string& path);

@@ -1,0 +1,21 @@
+// Elements of second order and more are judged by their corners: the simplices that they would be if
+// they were straight.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/formats/element_file.hpp"
+
+namespace circumspect::formats {
+
+// The indices of nodes of curved elements that are not their corners, ascending, each once. They are
+// no vertices of the mesh, unless another element has them as a corner.
+std::vector<Vertex> nodes_between_corners(const ElementFile& file);
+
+// A note that says how many elements are judged by their corners and, if all are of second order,
+// how far the node farthest from the middle of its edge is off. Nothing if no element is curved.
+std::optional<std::string> note_of_curved(const ElementFile& file, const std::string& name);
+
+}  // namespace circumspect::formats

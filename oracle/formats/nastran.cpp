@@ -1,0 +1,169 @@
+#include "oracle/formats/nastran.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "oracle/formats/bytes/text_lines.hpp"
+#include "oracle/formats/nastran_entries.hpp"
+#include "oracle/formats/node_tags.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+using enum ElementShape;
+
+// Entries of elements: the place of the first node among the fields, how many corners there are,
+// how many nodes at most, and the shape without and with nodes between the corners.
+struct EntryType {
+  std::string_view name;
+  std::size_t first;
+  std::size_t corners;
+  std::size_t nodes;
+  ElementShape shape;
+  ElementShape curved;
+  std::string_view words;
+};
+constexpr std::array kEntryTypes = {
+    EntryType{"CTETRA", 2, 4, 10, kTetrahedron, kCurvedTetrahedron, "a tetrahedron"},
+    EntryType{"CPYRA", 2, 5, 13, kOtherSolid, kCurved, "a pyramid"},
+    EntryType{"CPYRAM", 2, 5, 13, kOtherSolid, kCurved, "a pyramid"},
+    EntryType{"CPENTA", 2, 6, 15, kOtherSolid, kCurved, "a prism"},
+    EntryType{"CHEXA", 2, 8, 20, kOtherSolid, kCurved, "a hexahedron"},
+    EntryType{"CTRIA3", 2, 3, 3, kPolygon, kPolygon, "a triangle"},
+    EntryType{"CTRIAR", 2, 3, 3, kPolygon, kPolygon, "a triangle"},
+    EntryType{"CTRIA6", 2, 3, 6, kPolygon, kCurvedTriangle, "a triangle"},
+    EntryType{"CQUAD4", 2, 4, 4, kPolygon, kPolygon, "a quadrilateral"},
+    EntryType{"CQUADR", 2, 4, 4, kPolygon, kPolygon, "a quadrilateral"},
+    EntryType{"CSHEAR", 2, 4, 4, kPolygon, kPolygon, "a quadrilateral"},
+    EntryType{"CQUAD8", 2, 4, 8, kPolygon, kCurved, "a quadrilateral"},
+    EntryType{"CQUAD", 2, 4, 9, kPolygon, kCurved, "a quadrilateral"},
+    EntryType{"CROD", 2, 2, 2, kPolyline, kPolyline, "an edge"},
+    EntryType{"CTUBE", 2, 2, 2, kPolyline, kPolyline, "an edge"},
+    EntryType{"CBAR", 2, 2, 2, kPolyline, kPolyline, "an edge"},
+    EntryType{"CBEAM", 2, 2, 2, kPolyline, kPolyline, "an edge"},
+    EntryType{"CONROD", 1, 2, 2, kPolyline, kPolyline, "an edge"},
+};
+
+// Systems of coordinates that are not the basic one would move nodes.
+constexpr std::size_t kPlaceOfSystem = 1;
+
+class NastranReader {
+ public:
+  NastranReader(const Source& source, NumberReading reading)
+      : entries_(source), name_(source.name), reading_(reading) {}
+
+  Result<ElementFile> read();
+
+ private:
+  Status read_entry();
+  Status read_node();
+  Status check_system() const;
+  Status read_element(const EntryType& type);
+
+  NastranEntries entries_;
+  std::string name_;
+  NumberReading reading_;
+  bool has_elements_ = false;
+  std::vector<Vertex> tags_;
+  Simplex vertices_;
+  ElementFile file_;
+};
+
+Status NastranReader::check_system() const {
+  const auto system = entries_.integer(kPlaceOfSystem, "a system of coordinates");
+  if (!system) return tl::unexpected(system.error());
+  if (system->value_or(0) == 0) return {};
+  return entries_.fail_at(kPlaceOfSystem, "nodes in the basic system of coordinates, 0");
+}
+
+Status NastranReader::read_node() {
+  const auto tag = entries_.integer(0, "the tag of a node");
+  if (!tag) return tl::unexpected(tag.error());
+  if (!*tag) return entries_.fail_at(0, "the tag of a node");
+  if (Status system = check_system(); !system) return system;
+  tags_.push_back(**tag);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto number = entries_.number(2 + axis, reading_);
+    if (!number) return tl::unexpected(number.error());
+    file_.points.points.add(number->value_or(0));
+  }
+  return {};
+}
+
+Status NastranReader::read_element(const EntryType& type) {
+  has_elements_ = true;
+  const auto tag = entries_.integer(0, "the tag of an element");
+  if (!tag) return tl::unexpected(tag.error());
+  auto label = type.first == 2 ? entries_.integer(1, "a property") : std::nullopt;
+  if (!label) return tl::unexpected(label.error());
+  vertices_.clear();
+  for (std::size_t i = 0; i < type.nodes; ++i) {
+    const auto node = entries_.integer(type.first + i, "a node of an element");
+    if (!node) return tl::unexpected(node.error());
+    // Nodes between corners may be missing, and are 0 then in some files.
+    const bool is_missing = node->value_or(0) == 0;
+    if (is_missing && i < type.corners) {
+      return entries_.fail_at(type.first + i, std::string(type.words) + " of " +
+                                                  std::to_string(type.corners) + " nodes");
+    }
+    if (!is_missing) vertices_.push_back(**node);
+  }
+  const bool is_curved = vertices_.size() > type.corners;
+  const std::string words = std::string(type.words) + (is_curved ? " of second order" : "");
+  add_element(file_, is_curved ? type.curved : type.shape, vertices_, words, entries_.entry().line,
+              label->value_or(tag->value_or(0)));
+  return {};
+}
+
+Status NastranReader::read_entry() {
+  const std::string& name = entries_.entry().name;
+  if (name == "GRID") return read_node();
+  if (name == "GRDSET") return check_system();
+  if (name.starts_with("GRID ")) {  // a comma in a number, not behind the name
+    return tl::unexpected(FormatError{name_, entries_.entry().line,
+                                      "fields in columns, or each behind a comma", quote(name)});
+  }
+  if (name.starts_with("INCLUDE")) {
+    return tl::unexpected(
+        FormatError{name_, entries_.entry().line, "a mesh in one file", "INCLUDE"});
+  }
+  const auto* const type = std::find_if(kEntryTypes.begin(), kEntryTypes.end(),
+                                        [&](const EntryType& one) { return one.name == name; });
+  return type == kEntryTypes.end() ? Status{} : read_element(*type);
+}
+
+Result<ElementFile> NastranReader::read() {
+  file_.points.dimension = 3;
+  file_.points.points.set_columns(3);
+  while (entries_.next()) {
+    if (Status entry = read_entry(); !entry) return tl::unexpected(entry.error());
+  }
+  if (tags_.empty()) return entries_.fail_at_end("an entry GRID");
+  if (!has_elements_) return entries_.fail_at_end("an entry of elements, as CTETRA");
+  Status tags = index_by_tags(file_, std::move(tags_), name_, "of a GRID");
+  if (!tags) return tl::unexpected(tags.error());
+  finish_elements(file_);
+  return std::move(file_);
+}
+
+}  // namespace
+
+bool is_nastran(const Beginning& beginning) {
+  const Source text{"", std::string(beginning.text.substr(0, 4096))};
+  TextLines lines(text);
+  while (lines.next()) {
+    const std::string line = upper(without_blanks(lines.text()));
+    if (line.starts_with("BEGIN BULK") || line.starts_with("GRID,") || line.starts_with("GRID ") ||
+        line.starts_with("GRID*")) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Result<ElementFile> read_nastran(const Source& source, NumberReading reading) {
+  return NastranReader(source, reading).read();
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,29 @@
+// Meshes in the bulk data of Nastran and OptiStruct, as text: .bdf, .nas.
+//
+//     $ a comment
+//     BEGIN BULK                                  what stands before it is skipped, if it is there
+//     GRID,1,,0.,.5,1.5-3                         fields with commas between them, or in columns: ten
+//     GRID           2              0.      1.      0.    of 8, or, behind a name with a star, of 16
+//     CTETRA         1       7       1       2       3       4+
+//     +              5                            which go on over lines that begin with a blank, + or *
+//     ENDDATA
+//
+// All other entries (properties, materials, loads) are skipped. Nodes are taken as they are listed:
+// what would move them is an error.
+#pragma once
+
+#include "kernel/exact/number.hpp"
+#include "oracle/formats/beginning.hpp"
+#include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/element_file.hpp"
+
+namespace circumspect::formats {
+
+// Does one of the first lines begin bulk data, or a node?
+bool is_nastran(const Beginning& beginning);
+
+// Points are in the order of their tags and counted from the lowest (node_tags.hpp); properties are
+// labels. Errors: also, included files, and nodes in another system of coordinates than the basic one.
+Result<ElementFile> read_nastran(const Source& source, NumberReading reading);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,173 @@
+// OpenFOAM's polyMesh: text and binary, packed or not, found by four names; what is refused.
+#include "oracle/formats/poly_mesh.hpp"
+
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+#include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/reading_test.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+std::string foam_header(const std::string& of_class, const std::string& format = "ascii",
+                        const std::string& arch = "LSB;label=32;scalar=64") {
+  return "/*--- a banner ---*/\nFoamFile\n{\n    version 2.0;\n    format " + format +
+         ";\n    arch \"" + arch + "\";\n    class " + of_class +
+         ";\n    note \"nCells: 2 }\";\n}\n// * * //\n\n";
+}
+
+template <class Value>
+std::string foam_bytes(std::initializer_list<Value> values) {
+  std::string bytes;
+  for (const Value value : values) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  return bytes;
+}
+
+struct FoamFiles {
+  std::string points, faces, owner, neighbour;
+};
+
+// Two tetrahedra at the face 1 2 3.
+const FoamFiles kFoamText = {
+    foam_header("vectorField") +
+        "5\n(\n(0 0 0)\n(1 0 0)\n(0 1 0)\n(0 0 1)\n(1 1 0.1)\n)\n\n// *** //\n",
+    foam_header("faceList") +
+        "7\n(\n3(1 2 3)\n3(0 2 1)\n3(0 1 3)\n3(0 3 2)\n3(1 4 3)\n3(2 3 4)\n3(1 2 4)\n)\n",
+    foam_header("labelList") + "7(0 0 0 0 1 1 1)\n", foam_header("labelList") + "1\n(\n1\n)\n"};
+
+const std::vector<Simplex> kFoamCells = {{1, 3, 2, 0}, {1, 2, 3, 4}};
+
+class FoamCase {
+ public:
+  explicit FoamCase(const FoamFiles& files, const std::string& below = "/constant/polyMesh")
+      : path(folder_.path("case")) {
+    std::filesystem::create_directories(path + below);
+    mesh = "case" + below + "/";
+    folder_.write(mesh + "points", files.points);
+    folder_.write(mesh + "faces", files.faces);
+    folder_.write(mesh + "owner", files.owner);
+    folder_.write(mesh + "neighbour", files.neighbour);
+  }
+  std::string error() const {
+    const std::string said = error_of(read_poly_mesh({path, ""}, kDouble));
+    const std::string begin = path + "/constant/polyMesh/";
+    return said.starts_with(begin) ? said.substr(begin.size()) : said;
+  }
+  const ScratchFolder& folder() const { return folder_; }
+
+ private:
+  ScratchFolder folder_;
+
+ public:
+  std::string path;
+  std::string mesh;  // the folder polyMesh within the scratch folder
+};
+
+std::string foam_error_with(std::string FoamFiles::*file, const std::string& text) {
+  FoamFiles files = kFoamText;
+  files.*file = text;
+  return FoamCase(files).error();
+}
+
+}  // namespace
+
+TEST_CASE("openfoam: cells of faces, owners and neighbours, as text and binary") {
+  const FoamFiles binary = {
+      foam_header("vectorField", "binary") + "5\n(" +
+          foam_bytes<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0.1}) + ")\n",
+      foam_header("faceCompactList", "binary") + "8\n(" +
+          foam_bytes<int>({0, 3, 6, 9, 12, 15, 18, 21}) + ")\n21\n(" +
+          foam_bytes<int>({1, 2, 3, 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 4, 3, 2, 3, 4, 1, 2, 4}) + ")\n",
+      foam_header("labelList", "binary", "LSB;label=64;scalar=64") + "7\n(" +
+          foam_bytes<std::int64_t>({0, 0, 0, 0, 1, 1, 1}) + ")\n",
+      foam_header("labelList", "binary") + "7\n(" + foam_bytes<int>({1, -1, -1, -1, -1, -1, -1}) +
+          ")\n"};
+  for (const FoamFiles& files : {kFoamText, binary}) {
+    const FoamCase mesh(files);
+    const auto file = read_poly_mesh({mesh.path, ""}, kDouble);
+    REQUIRE_MESSAGE(file, error_of(file));
+    CHECK(file->points.points.size() == 5);
+    CHECK(file->points.points[4] == Point{1, 1, exact_value(0.1)});
+    CHECK(file->tetrahedra.simplices == kFoamCells);
+    CHECK(file->triangles.simplices ==
+          std::vector<Simplex>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 4, 3}, {2, 3, 4}, {1, 2, 4}});
+  }
+}
+
+TEST_CASE("openfoam: the case, its folders and ParaView's file name one mesh") {
+  const FoamCase mesh(kFoamText);
+  const std::string foam = mesh.folder().write("case/case.foam", "");
+  for (const std::string& path : {mesh.path, mesh.path + "/", mesh.path + "/constant",
+                                  mesh.path + "/constant/polyMesh", foam}) {
+    CAPTURE(path);
+    CHECK(extension_inside(path) == ".foam");
+    const auto read = read_mesh({.mesh = path});
+    REQUIRE_MESSAGE(read, error_of(read));
+    CHECK(read->mesh.simplices.lists() == kFoamCells);
+    CHECK(read->mesh_name == path);
+  }
+  const std::string empty = mesh.folder().write("y.foam", "");
+  CHECK(error_of(read_mesh({.mesh = empty})) ==
+        empty + ": expected a case of OpenFOAM, with constant/polyMesh/points, found no such file");
+  const std::string bare = mesh.path + "/constant/..";
+  CHECK(read_mesh({.mesh = bare}));
+  std::filesystem::remove(mesh.folder().path(mesh.mesh + "faces"));
+  CHECK(error_of(read_mesh({.mesh = mesh.path})) ==
+        mesh.path + ": expected a file, found a directory");
+}
+
+TEST_CASE("openfoam: cells that are no tetrahedra are named") {
+  FoamFiles prism = kFoamText;
+  prism.owner = foam_header("labelList") + "7(0 0 0 0 0 0 0)";
+  prism.neighbour = foam_header("labelList") + "0()";
+  const FoamCase mesh(prism);
+  CHECK(error_of(read_mesh({.mesh = mesh.path})) ==
+        mesh.path +
+            ": expected edges, triangles and tetrahedra, found cell 0 of 7 faces and 5 vertices");
+  // Four triangles, two of them of the same vertices.
+  FoamFiles twice = kFoamText;
+  twice.faces.replace(twice.faces.find("3(0 3 2)"), 8, "3(0 1 2)");
+  const FoamCase folded(twice);
+  CHECK(error_of(read_mesh({.mesh = folded.path})) ==
+        folded.path +
+            ": expected edges, triangles and tetrahedra, found cell 0 of 4 faces and 4 vertices");
+}
+
+TEST_CASE("openfoam: faults, with file and line") {
+  CHECK(foam_error_with(&FoamFiles::points, "") ==
+        "points:1: expected FoamFile, found the end of the file");
+  CHECK(foam_error_with(&FoamFiles::points, "FoamFile { format ascii") ==
+        "points:1: expected \";\" behind a value of the header, found the end of the file");
+  CHECK(foam_error_with(&FoamFiles::points, foam_header("vectorField", "xml")) ==
+        "points:5: expected the format ascii or binary, found \"xml\"");
+  CHECK(foam_error_with(&FoamFiles::points, foam_header("vectorField") + "2\n(\n(0 0 0)\n") ==
+        "points:15: expected \"(\" before point 2 of 2, found the end of the file");
+  CHECK(foam_error_with(&FoamFiles::points, foam_header("vectorField") + "1\n(\n(0 x 0)\n)") ==
+        "points:14: expected a finite number of point 1 of 1, found \"x\"");
+  CHECK(foam_error_with(&FoamFiles::points, foam_header("vectorField") + "-1\n") ==
+        "points:12: expected the number of points, 0 or more, found \"-1\"");
+  CHECK(foam_error_with(&FoamFiles::points,
+                        foam_header("vectorField", "binary") + "999999999999\n(abc)") ==
+        "points:13: expected 999999999999 points of 24 bytes, found 4 bytes");
+  CHECK(foam_error_with(&FoamFiles::faces, foam_header("faceList") + "1\n(\n3(0 1)\n)") ==
+        "faces:14: expected a vertex of face 1 of 1, an integer, found \")\"");
+  CHECK(foam_error_with(&FoamFiles::faces, foam_header("faceCompactList") + "2(0 4)\n3(0 1 2)\n") ==
+        "faces:13: expected places of faces that go up to 3, found 0, then 4");
+  CHECK(foam_error_with(&FoamFiles::faces, foam_header("faceList", "binary") + "1\n(") ==
+        "faces:9: expected faces of the class faceCompactList in a binary file, found others");
+  CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "6(0 0 0 0 1 1)") ==
+        "owner: expected 7 cells, one for each face, found 6");
+  CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "7(0 0 0 0 1 1 4)") ==
+        "owner: expected a cell from 0 to 3 at face 6, found 4");
+  CHECK(foam_error_with(&FoamFiles::neighbour, foam_header("labelList") + "1(2)") ==
+        "owner: expected 4 faces or more of cell 1, found 3");
+  CHECK(foam_error_with(&FoamFiles::neighbour, foam_header("labelList") + "8(1 1 1 1 1 1 1 1)") ==
+        "neighbour: expected at most 7 cells, as there are faces, found 8");
+}
+
+}  // namespace circumspect::formats
