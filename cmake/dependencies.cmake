@@ -19,8 +19,6 @@ if(CIRCUMSPECT_STATIC)
   set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
   add_library(fmt::fmt INTERFACE IMPORTED GLOBAL)
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
-  add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
-  target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
   # Archives are searched in the order in which they stand: CGAL names GMP before MPFR, which needs
   # it behind.
   string(APPEND CMAKE_CXX_STANDARD_LIBRARIES " -lgmp")
@@ -30,11 +28,10 @@ endif()
 # made. What the standard library there lacks is in a header that stands before every file.
 if(EMSCRIPTEN)
   include_directories(SYSTEM "${CIRCUMSPECT_WEB_LIBRARIES}/include")
-  foreach(package fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 CGAL::CGAL Threads::Threads TBB::tbb)
+  foreach(package fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 CGAL::CGAL Threads::Threads)
     add_library(${package} INTERFACE IMPORTED GLOBAL)
   endforeach()
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
-  target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
   # WebAssembly always rounds to nearest, so no interval of CGAL's may be used, and none is: its
   # kernel here computes with rationals alone. What it tries at the start of a program would end the
   # program.
@@ -76,10 +73,27 @@ circumspect_find_library(expected tl/expected.hpp DEBIAN libexpected-dev)
 circumspect_find_library(boost boost/geometry/index/rtree.hpp DEBIAN libboost-dev)
 circumspect_find_package(fmt fmt::fmt)
 circumspect_find_package(nlohmann_json nlohmann_json::nlohmann_json)
-circumspect_find_library(pugixml pugixml.hpp pugixml DEBIAN libpugixml-dev)
-circumspect_find_library(zlib zlib.h z DEBIAN zlib1g-dev)
-circumspect_find_package(TBB TBB::tbb)
 circumspect_find_package(Threads Threads::Threads)
+# Only what reads files needs them.
+if(circumspect_reads_files)
+  circumspect_find_library(pugixml pugixml.hpp pugixml DEBIAN libpugixml-dev)
+  circumspect_find_library(zlib zlib.h z DEBIAN zlib1g-dev)
+endif()
+
+# Its place can be taken by threads of our own, which share out the work a little worse.
+option(CIRCUMSPECT_PLAIN_THREADS "Judge without oneTBB, as is done where there is none" OFF)
+if(NOT CIRCUMSPECT_PLAIN_THREADS AND NOT CIRCUMSPECT_STATIC AND NOT EMSCRIPTEN AND NOT TARGET TBB::tbb)
+  find_package(TBB QUIET)
+endif()
+add_library(circumspect::parallel INTERFACE IMPORTED GLOBAL)
+set(circumspect_links_tbb OFF)
+if(TARGET TBB::tbb AND NOT CIRCUMSPECT_PLAIN_THREADS)
+  set(circumspect_links_tbb ON)
+  target_link_libraries(circumspect::parallel INTERFACE TBB::tbb)
+else()
+  message(STATUS "Large meshes are judged on plain threads, without oneTBB")
+  target_compile_definitions(circumspect::parallel INTERFACE CIRCUMSPECT_PLAIN_THREADS)
+endif()
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 circumspect_find_package(CGAL CGAL::CGAL)
 

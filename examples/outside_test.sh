@@ -59,14 +59,14 @@ quietly cmake --build "$work/judge"
 
 echo "properties, by find_package"
 quietly cmake -S "$work/examples/properties" -B "$work/properties" -DCMAKE_PREFIX_PATH="$work/installed"
-quietly cmake --build "$work/properties"
+quietly cmake --build "$work/properties" --target triangulate_test  # archive_test.sh builds the others
 "$work/properties/triangulate_test"
-! grep -q "rapidcheck" "$work"/{judge,properties}/CMakeFiles/*.dir/link.txt ||
+! grep -q "rapidcheck" "$work"/judge/CMakeFiles/*.dir/link.txt "$work/properties/CMakeFiles/triangulate_test.dir/link.txt" ||
   fail "expected judge and harness to do without RapidCheck"
 
 echo "properties fail where doubles are rounded"
 sed -i '/\.families/d' "$work/examples/properties/triangulate_test.cpp"
-quietly cmake --build "$work/properties"
+quietly cmake --build "$work/properties" --target triangulate_test  # archive_test.sh builds the others
 if "$work/properties/triangulate_test" >"$work/log" 2>&1; then fail "expected a finding, found none"; fi
 grep -q "circumspect generate" "$work/log" || fail "expected a line that makes the input again"
 

@@ -50,19 +50,19 @@ ARROWS = {
     "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes", "oracle/judge/conditions"],
     "oracle/judge/quality": ["oracle/judge/within"],
     "oracle/judge": ["oracle/judge/quality", "oracle/judge/periodic"],
-    "oracle/distributed": ["oracle/judge", "oracle/report"],
+    "oracle/distributed": ["oracle/judge", "oracle/report", "oracle/formats"],
     "oracle/judge/cause": ["oracle/judge", "oracle/report"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
     "oracle/certificate": ["oracle/judge/domain"],
     "oracle/picture": ["oracle/report"],
-    "oracle/report": ["oracle/judge/points", "oracle/formats"],
+    "oracle/report": ["oracle/judge/points"],
     "fuzz/process": [],
-    "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "inputs"],
-    "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
+    "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "oracle/formats", "inputs"],
+    "fuzz/harness": ["oracle/judge/arrays", "inputs"],
     "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
           "inputs/triangulated"],
     "js": ["c"],
-    "python": ["c", "fuzz/harness"],
+    "python": ["c", "fuzz/harness", "fuzz/campaign"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
     **{folder: COMMAND for folder in COMMAND_FOLDERS},
     "command/mpi": COMMAND,
@@ -75,18 +75,18 @@ ARROWS = {
                    "oracle/certificate", "oracle/judge/domain", "oracle/report",
                    "properties/arguments", "properties/mutations",
                    "properties/faulty", "properties/adapters", "fuzz/harness", "oracle/distributed"],
-    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/within",
+    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/formats", "oracle/judge/within",
                "fuzz/harness"],
     "proofs": ["oracle/certificate", "oracle/judge/points", "oracle/formats", "reference/delaunay",
                "properties/arguments", "properties/mutations", "corpus"],
-    "bench": ["reference/constrained", "oracle/report", "fuzz/harness"],
+    "bench": ["reference/constrained", "oracle/report", "fuzz/harness", "fuzz/campaign"],
 }
 # The one header by which these folders may ask the book for a construction, so that none of them depends on an
 # algorithm of it: what shows a mesh to be wrong must not be what built it.
 CONSTRUCTIONS = "reference/constructions.hpp"
 BY_CONSTRUCTIONS = ["oracle", "c", "python", "include", "fuzz/harness"]
 # What a test beside its layer may include on top of what the layer may.
-TESTS_ALSO = ["inputs", "properties/arguments",
+TESTS_ALSO = ["inputs", "properties/arguments", "oracle/formats",
               "oracle/judge/domain"]  # its judge_exactly, which holds the lemmas to the definitions
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.

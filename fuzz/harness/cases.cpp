@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <circumspect/inputs.hpp>
 #include <fmt/format.h>
 
 #include "inputs/cases.hpp"
@@ -139,3 +140,28 @@ std::vector<Step> kept_steps(const std::vector<Step>& steps, const std::vector<b
 }
 
 }  // namespace circumspect::harness
+
+namespace circumspect {
+
+std::vector<std::string> families(std::size_t dimension) {
+  std::vector<std::string> names;
+  for (const auto* family : harness::chosen_families({}, dimension, false)) {
+    names.push_back(family->name);
+  }
+  return names;
+}
+
+PointArray drawn_points(const std::string& family, std::size_t dimension, std::size_t max_points,
+                        std::uint64_t seed) {
+  const generators::Family& drawn_from = harness::existing_family(family, dimension);
+  if (max_points == 0) throw std::invalid_argument("expected at least 1 point, found 0");
+  const auto set = generators::drawn(drawn_from, dimension, {max_points}, seed);
+  return generators::array(generators::in_doubles(set, drawn_from.repeats_points), dimension);
+}
+
+bool are_flat(const PointArray& points) {
+  return affine_hull(generators::from(points).points).dimension <
+         static_cast<int>(points.dimension);
+}
+
+}  // namespace circumspect

@@ -63,4 +63,12 @@ MeshJudgement judge(const std::string& claim, const MeshArrays<std::int32_t>& me
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int64_t>& mesh,
                     const JudgeOptions& options = {});
 
+// For tests of any framework: throws DoesNotHold, with the witnesses, if the claim does not hold.
+template <typename Index>
+void assert_holds(const std::string& claim, const MeshArrays<Index>& mesh,
+                  const JudgeOptions& options = {}) {
+  const MeshJudgement found = judge(claim, mesh, options);
+  if (!found.holds) throw DoesNotHold(found.report);
+}
+
 }  // namespace circumspect

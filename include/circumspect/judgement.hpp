@@ -1,6 +1,7 @@
 // The oracle's answer to a harness.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include <circumspect/subject.hpp>
@@ -34,5 +35,17 @@ struct JudgeOptions {
 // `options` let them pass.
 Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices,
                 const JudgeOptions& options = {});
+
+// What a claim fails by: the text of the witnesses.
+struct DoesNotHold : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// For tests of any framework: as judge(), and throws DoesNotHold if the claim does not hold.
+inline void assert_holds(const std::string& claim, const PointArray& points,
+                         const SimplexArray& simplices, const JudgeOptions& options = {}) {
+  const Judgement found = judge(claim, points, simplices, options);
+  if (!found.holds) throw DoesNotHold(found.report);
+}
 
 }  // namespace circumspect

@@ -1,6 +1,6 @@
 // Tests properties that Delaunay triangulations must have, on inputs made to break the program
-// under test; a failing input is made as small as possible. For any test framework; a macro for
-// doctest is at the end.
+// under test; a failing input is made as small as possible. For any test framework; macros for
+// doctest, Catch2 and GoogleTest are at the end.
 //
 //   #include <doctest/doctest.h>
 //   #include <circumspect/properties.hpp>
@@ -95,17 +95,32 @@ Triangulator from_arrays(Function function) {
 
 }  // namespace circumspect
 
-// Registers one doctest case for each property.
-#define CIRCUMSPECT_DELAUNAY_PROPERTIES(title, subject, ...)                        \
-  TEST_CASE(title) {                                                                \
-    for (const auto property :                                                      \
-         {::circumspect::Property::kClaim, ::circumspect::Property::kDeterministic, \
-          ::circumspect::Property::kOrder, ::circumspect::Property::kSimilarity}) { \
-      const std::string circumspect_name(::circumspect::name(property));            \
-      SUBCASE(circumspect_name.c_str()) {                                           \
-        const auto circumspect_finding = ::circumspect::find_failure(               \
-            subject, property, ::circumspect::PropertyOptions __VA_ARGS__);         \
-        if (circumspect_finding) FAIL(circumspect_finding->report);                 \
-      }                                                                             \
-    }                                                                               \
+// The title is a literal; __VA_ARGS__ are PropertyOptions in braces. Each property is a test.
+
+// doctest, Catch2:
+//   CIRCUMSPECT_DELAUNAY_PROPERTIES("my library", my_triangulate, {.dimension = 3})
+#define CIRCUMSPECT_DELAUNAY_PROPERTIES(title, subject, ...)                           \
+  CIRCUMSPECT_TEST_CASE(title ": claim", kClaim, subject, __VA_ARGS__)                 \
+  CIRCUMSPECT_TEST_CASE(title ": deterministic", kDeterministic, subject, __VA_ARGS__) \
+  CIRCUMSPECT_TEST_CASE(title ": order", kOrder, subject, __VA_ARGS__)                 \
+  CIRCUMSPECT_TEST_CASE(title ": similarity", kSimilarity, subject, __VA_ARGS__)
+#define CIRCUMSPECT_TEST_CASE(title, property, subject, ...)                                     \
+  TEST_CASE(title) {                                                                             \
+    const auto circumspect_finding = ::circumspect::find_failure(                                \
+        subject, ::circumspect::Property::property, ::circumspect::PropertyOptions __VA_ARGS__); \
+    if (circumspect_finding) FAIL(circumspect_finding->report);                                  \
+  }
+
+// GoogleTest:
+//   CIRCUMSPECT_DELAUNAY_TESTS(MyLibrary, my_triangulate, {.dimension = 3})
+#define CIRCUMSPECT_DELAUNAY_TESTS(suite, subject, ...)                               \
+  CIRCUMSPECT_GOOGLE_TEST(suite, Claim, kClaim, subject, __VA_ARGS__)                 \
+  CIRCUMSPECT_GOOGLE_TEST(suite, Deterministic, kDeterministic, subject, __VA_ARGS__) \
+  CIRCUMSPECT_GOOGLE_TEST(suite, Order, kOrder, subject, __VA_ARGS__)                 \
+  CIRCUMSPECT_GOOGLE_TEST(suite, Similarity, kSimilarity, subject, __VA_ARGS__)
+#define CIRCUMSPECT_GOOGLE_TEST(suite, name, property, subject, ...)                             \
+  TEST(suite, name) {                                                                            \
+    const auto circumspect_finding = ::circumspect::find_failure(                                \
+        subject, ::circumspect::Property::property, ::circumspect::PropertyOptions __VA_ARGS__); \
+    if (circumspect_finding) FAIL() << circumspect_finding->report;                              \
   }

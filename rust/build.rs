@@ -1,0 +1,48 @@
+//! Finds the C library: in the folder that CIRCUMSPECT_PREFIX names, else as pkg-config says. With
+//! CIRCUMSPECT_STATIC=1 it is an archive.
+use std::env;
+use std::process::{exit, Command};
+
+fn give_up(found: &str) -> ! {
+    eprintln!(
+        "circumspect: expected the C library libcircumspect and its circumspect-c.pc, found {found}: install it \
+         (Debian: libcircumspect-dev, or `cmake --install build/release --component harness` in the sources of \
+         Circumspect), and set CIRCUMSPECT_PREFIX to the prefix if it is not among those of the system"
+    );
+    exit(1)
+}
+
+fn main() {
+    for name in ["CIRCUMSPECT_PREFIX", "CIRCUMSPECT_STATIC", "PKG_CONFIG_PATH"] {
+        println!("cargo:rerun-if-env-changed={name}");
+    }
+    let is_static = env::var("CIRCUMSPECT_STATIC").map_or(false, |value| value == "1");
+    let mut pkg_config = Command::new("pkg-config");
+    pkg_config.args(["--libs", "circumspect-c"]);
+    if is_static {
+        pkg_config.arg("--static");
+    }
+    if let Ok(prefix) = env::var("CIRCUMSPECT_PREFIX") {
+        let machine = Command::new("gcc").arg("-print-multiarch").output();
+        let machine = machine.map_or(String::new(), |said| String::from_utf8_lossy(&said.stdout).trim().to_string());
+        let folders = ["lib".to_string(), "lib64".to_string(), format!("lib/{machine}")];
+        let paths: Vec<_> = folders.iter().map(|folder| format!("{prefix}/{folder}/pkgconfig")).collect();
+        pkg_config.env("PKG_CONFIG_PATH", paths.join(":"));
+    }
+    let said = match pkg_config.output() {
+        Err(error) => give_up(&format!("no pkg-config ({error})")),
+        Ok(said) if !said.status.success() => give_up(String::from_utf8_lossy(&said.stderr).trim()),
+        Ok(said) => String::from_utf8_lossy(&said.stdout).into_owned(),
+    };
+    for word in said.split_whitespace() {
+        if let Some(folder) = word.strip_prefix("-L") {
+            println!("cargo:rustc-link-search=native={folder}");
+            if !is_static {
+                println!("cargo:rustc-link-arg=-Wl,-rpath,{folder}");
+            }
+        } else if let Some(library) = word.strip_prefix("-l") {
+            let kind = if is_static && library == "circumspect" { "static=" } else { "" };
+            println!("cargo:rustc-link-lib={kind}{library}");
+        }
+    }
+}
