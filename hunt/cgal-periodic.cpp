@@ -6,12 +6,6 @@
 //
 // If CGAL needs several sheets, they are folded into one: a cell of each is the same, moved. The
 // points are counted from 0.
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
-#include <CGAL/Periodic_3_Delaunay_triangulation_3.h>
-#include <CGAL/Periodic_3_Delaunay_triangulation_traits_3.h>
-
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -19,9 +13,17 @@
 #include <string>
 #include <vector>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
+#include <CGAL/Periodic_3_Delaunay_triangulation_3.h>
+#include <CGAL/Periodic_3_Delaunay_triangulation_traits_3.h>
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Plane = CGAL::Periodic_2_Delaunay_triangulation_2<CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>>;
-using Space = CGAL::Periodic_3_Delaunay_triangulation_3<CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>>;
+using Plane = CGAL::Periodic_2_Delaunay_triangulation_2<
+    CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>>;
+using Space = CGAL::Periodic_3_Delaunay_triangulation_3<
+    CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>>;
 using Corner = std::pair<std::size_t, std::vector<int>>;  // a point, and how it is moved
 using Cell = std::vector<Corner>;
 
@@ -37,8 +39,10 @@ std::vector<Point> read(std::size_t d) {
     std::cin >> rest >> x >> y;
     if (d == 3) std::cin >> z;
     std::getline(std::cin, rest);
-    if constexpr (std::is_same_v<Point, Plane::Point>) points.emplace_back(x, y);
-    else points.emplace_back(x, y, z);
+    if constexpr (std::is_same_v<Point, Plane::Point>)
+      points.emplace_back(x, y);
+    else
+      points.emplace_back(x, y, z);
   }
   return points;
 }

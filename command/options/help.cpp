@@ -37,8 +37,8 @@ const std::vector<Group>& groups() {
   static const std::vector<Group> all = {
       {"Claim",
        {"claim", "weighted", "oriented", "manifold", "connected", "closed", "allow", "allow-unused",
-         "all-boundary-points", "only-extreme", "box", "lattice", "require", "except-sharp",
-         "neighbors", "by", "against", "refusal-exit-code", "refusal-text"}},
+        "all-boundary-points", "only-extreme", "box", "lattice", "require", "except-sharp",
+        "neighbors", "by", "against", "refusal-exit-code", "refusal-text"}},
       {"Domain", {"domain", "fill", "hole", "region", "resolve", "merge-coplanar", "within"}},
       {"Input",
        {"points", "points-a", "points-b", "mesh", "stdin", "stdout", "worker", "worker-cases",

@@ -8,8 +8,9 @@
 //     …                                           lines that end with a comma
 //
 // Everything else (sets, materials, steps) is skipped. Planar types (CPS3, CPE3, …) and shells are
-// triangles. Nodes are taken as they are listed: what would move or generate them is an error. Files
-// that *Include names are read in its place if they are in the folder of the first or below it.
+// triangles. Nodes are taken as they are listed: what would move or generate them is an error.
+// Files that *Include names are read in its place if they are in the folder of the first or below
+// it.
 #pragma once
 
 #include <string_view>

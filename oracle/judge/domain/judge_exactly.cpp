@@ -7,29 +7,10 @@
 #include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "oracle/judge/points/simplices.hpp"
-#include "oracle/judge/points/triangulation.hpp"
 #include "oracle/judge/surface/judge_surface.hpp"
 
 namespace circumspect::check {
 namespace {
-
-// Further demands on a mesh that was judged by definition: that all simplices are listed with the
-// same orientation, and that the listed neighbours are the true ones.
-void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict) {
-  Verdict beside(verdict.claim(), mesh, 0);
-  const bool was_compared = verdict.tallies().count(Rule::kWrongDimension) == 0 &&
-                            judge_simplices(mesh, options.oriented, beside);
-  if (!was_compared) return;
-  if (mesh.neighbors && verdict.tallies().count(Rule::kOverlap) == 0) {
-    judge_neighbors(mesh, facet_uses(mesh.simplices), beside);
-  }
-  for (const Violation& violation : beside.violations()) {
-    verdict.add(violation.rule, violation.witness);
-    verdict.unique.reset();
-    verdict.canonical.reset();
-  }
-}
 
 Verdict judge_by_definition(Claim claim, const ExactMesh& mesh, const Domain* domain,
                             const Options& options) {

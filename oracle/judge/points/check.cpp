@@ -45,4 +45,19 @@ Verdict not_locally_delaunay(Claim claim, const ExactMesh& mesh, std::vector<Sha
   return verdict;
 }
 
+void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict) {
+  Verdict beside(verdict.claim(), mesh, 0);
+  const bool was_compared = verdict.tallies().count(Rule::kWrongDimension) == 0 &&
+                            judge_simplices(mesh, options.oriented, beside);
+  if (!was_compared) return;
+  if (mesh.neighbors && verdict.tallies().count(Rule::kOverlap) == 0) {
+    judge_neighbors(mesh, facet_uses(mesh.simplices), beside);
+  }
+  for (const Violation& violation : beside.violations()) {
+    verdict.add(violation.rule, violation.witness);
+    verdict.unique.reset();
+    verdict.canonical.reset();
+  }
+}
+
 }  // namespace circumspect::check

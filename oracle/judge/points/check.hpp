@@ -21,6 +21,10 @@ namespace circumspect::check {
 // Requires: one of these claims, by lemma; no weights for `delaunay`.
 Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options = {});
 
+// Further demands on a mesh that was judged by definition: that all simplices are listed with the
+// same orientation, and that the listed neighbours are the true ones.
+void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict);
+
 // The verdict that one of the two claims about balls does not hold, given that the mesh is a
 // triangulation of its points and which facets are not locally Delaunay. It is what judge_points()
 // says, but looks only at these facets, which may come in any order. `mesh` may be a part of that
