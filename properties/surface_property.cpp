@@ -11,6 +11,7 @@
 #include "oracle/judge/definition/complex.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/surface_delaunay.hpp"
+#include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/surface/judge_surface.hpp"
 #include "oracle/report/text.hpp"
@@ -92,9 +93,12 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     seen.held += by_lemma.holds() ? 1 : 0;
     seen.with_edges_of_many += by_lemma.surface->edges_of_many > 0 ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
-    const check::Options plain{.by = check::By::kDefinition, .max_violations = 0};
-    if (d == 2 && check::judge_points(Claim::kTriangulation, mesh, plain).holds()) {
-      RC_ASSERT(by_lemma.holds() == check::judge_points(Claim::kDelaunay, mesh, plain).holds());
+    const auto holds_by_definition = [&](Claim claim) {
+      const check::Options plain{.by = check::By::kDefinition, .max_violations = 0};
+      return check::judge_exactly(claim, mesh, nullptr, plain).holds();
+    };
+    if (d == 2 && holds_by_definition(Claim::kTriangulation)) {
+      RC_ASSERT(by_lemma.holds() == holds_by_definition(Claim::kDelaunay));
     }
   }));
 }

@@ -212,7 +212,8 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain", square, "--claim", "delaunay"},
           "expected no --domain for the claim delaunay, found one");
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
-          "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none");
+          "expected --domain FILE beside --fill, --hole, --region, --resolve or --merge-coplanar, "
+          "found none");
   // Polygons that were joined are in no file.
   for (const char* command : {"certify", "check"}) {
     refused({command, meshes.good, command == std::string("check") ? "--certificate" : "-o",

@@ -86,9 +86,9 @@ TEST_CASE("check: what is no word or number of an option is answered with those 
   CHECK(said("--threads", "foo") ==
         "--threads: expected a whole number from 1 to 2^64 - 1, found foo" + more);
   CHECK(said("--claim", "foo") ==
-        "--claim: expected cdt|complex|conforming-delaunay|convex-hull|delaunay|plc-triangulation|"
-        "steiner-cdt|steiner-triangulation|surface-delaunay|triangulation|voronoi|"
-        "weighted-delaunay, found foo" +
+        "--claim: expected cdt|complex|conforming-delaunay|convex-hull|delaunay|periodic-delaunay|"
+        "plc-triangulation|steiner-cdt|steiner-triangulation|surface-delaunay|triangulation|"
+        "voronoi|weighted-delaunay, found foo" +
             more);
   CHECK(said("--domain-kind", "foo") ==
         "--fill: expected enclosed|even-odd|hull|winding, found foo" + more);
