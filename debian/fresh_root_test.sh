@@ -52,7 +52,7 @@ folder=$(basename "$archive" .tar.gz)
 [ -f "$root/root/$folder/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive"
 [ -f "$root/root/$folder/licences/libgmp-dev" ] || fail "expected licences in the archive"
 judges "$folder/bin/circumspect" "the archive, with nothing installed"
-quietly inside "$folder/bin/circumspect certify $good -o certificate && $folder/bin/circumspect-verified certificate $good"
+quietly inside "$folder/bin/circumspect certify $good -o certificate && $folder/bin/circumspect-verified certificate ${good%.ele}.node $good"
 grep -q "^verified: delaunay, 500 points, 3074 tetrahedra, unique, canonical" "$work/log" || fail "expected a verified certificate"
 
 cp "$packages"/*.deb "$root/root/"
