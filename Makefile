@@ -176,8 +176,10 @@ build-release build-sanitize: build-%:
 	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_VERIFIED=$(VERIFIED) $(SETTINGS_$*)
 	@cmake --build --preset $* -j $(JOBS) $(if $(filter sanitize,$*),--target circumspect_tests)
 
+# Some of the release's tests wait most of their time, for a browser or for processes: one more runs beside them.
+WAITING_release := 1
 test-release test-sanitize: test-%: build-%
-	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
+	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) ctest --preset $* -j $$(( $(JOBS) + $(or $(WAITING_$*),0) )) | tee build/$*/ctest.log
 
 # Everything under the sanitizers, not only what handles bytes, arrays and processes.
 soak-sanitize: deps-test
