@@ -1,6 +1,5 @@
 // Files that gzip packed are read as what they hold; blocks of LZ4 give the bytes that lz4 packed.
 #include <doctest/doctest.h>
-#include <zlib.h>
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/bytes/packed.hpp"
@@ -17,20 +16,6 @@ const std::string kPlainNode = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
 const std::string kPlainEle = "2 3\n1 1 2 3\n2 1 3 4\n";
 const std::string kPlainOff = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
 const std::vector<Simplex> kUnpackedTriangles = {{0, 1, 2}, {0, 2, 3}};
-
-std::string gzipped(const std::string& bytes) {
-  std::string packed(compressBound(bytes.size()) + 32, '\0');
-  z_stream stream = {};
-  deflateInit2(&stream, 9, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
 
 // What load_unpacked says of these bytes, without the name of the file.
 std::string said_of(const std::string& bytes) {

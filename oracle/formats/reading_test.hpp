@@ -50,11 +50,12 @@ std::string npy(const std::string& type, const std::string& shape, const std::ve
       data);
 }
 
-// The text compressed by zlib, as raw data without a header.
-inline std::string deflated(const std::string& bytes) {
-  std::string packed(compressBound(bytes.size()) + 16, '\0');
+// The text compressed by zlib, with the header that zlib makes for these `window_bits`: as raw data
+// without one.
+inline std::string deflated(const std::string& bytes, int window_bits = -MAX_WBITS) {
+  std::string packed(compressBound(bytes.size()) + 32, '\0');
   z_stream stream = {};
-  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  deflateInit2(&stream, 9, Z_DEFLATED, window_bits, 8, Z_DEFAULT_STRATEGY);
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
@@ -64,6 +65,9 @@ inline std::string deflated(const std::string& bytes) {
   deflateEnd(&stream);
   return packed;
 }
+
+// A file that gzip packed.
+inline std::string gzipped(const std::string& bytes) { return deflated(bytes, MAX_WBITS + 16); }
 
 // An archive of files, each with its name; `method` is 0 or, packed by zlib, 8.
 inline std::string npz(const std::vector<std::pair<std::string, std::string>>& files, int method) {
