@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
@@ -65,16 +66,17 @@ class PeriodicDefinition {
       const Bounds box = bounds_of(corners(a, nowhere));
       for (std::size_t b = a; b < mesh_.simplices.size(); ++b) {
         const Bounds other = bounds_of(corners(b, nowhere));
-        for (const Simplex& way :
-             shifts_into(copies_.lattice, {box.low - other.high, box.high - other.low})) {
+        const Bounds ways{box.low - other.high, box.high - other.low};
+        for_each_shift(copies_.lattice, ways, [&](const Simplex& way) {
           // Of a cell and itself, one of two opposite ways is enough, and no way is none.
-          if (a == b && way <= Simplex(way.size(), 0)) continue;
-          if (meet_properly(a, corners(b, copies_.shift(way)))) continue;
+          if (a == b && way <= Simplex(way.size(), 0)) return true;
+          if (meet_properly(a, corners(b, copies_.shift(way)))) return true;
           all = false;
           verdict_.add(Rule::kOverlap, {.simplices = {mesh_.simplices[a], mesh_.simplices[b]},
                                         .places = {a, b},
                                         .values = shift_in_words(way)});
-        }
+          return true;
+        });
       }
     }
     return all;
@@ -102,7 +104,11 @@ class PeriodicDefinition {
         std::sort(other.begin(), other.end());
         const Point way = own.front() - other.front();
         for (Point& corner : other) corner = corner + way;
-        if (own == other && !shifts_into(copies_.lattice, {way, way}).empty()) ++count;
+        if (own != other) continue;
+        for_each_shift(copies_.lattice, {way, way}, [&](const Simplex&) {
+          ++count;
+          return true;
+        });
       }
     }
     return count;
@@ -130,12 +136,14 @@ class PeriodicDefinition {
       const Point far(ball.centre.size(), reach);
       for (Vertex v = 0; v < static_cast<Vertex>(copies_.listed); ++v) {
         const Point way = ball.centre - mesh_.points[v];
-        for (const Simplex& shift : shifts_into(copies_.lattice, {way - far, way + far})) {
+        for_each_shift(copies_.lattice, {way - far, way + far}, [&](const Simplex& shift) {
           const Point point = mesh_.points[v] + copies_.shift(shift);
-          if (squared_distance(point, ball.centre) >= ball.squared_radius) continue;
-          verdict_.add(Rule::kVertexInBall,
-                       {.simplices = {cell}, .vertices = {v}, .ball = ball, .point = point});
-        }
+          if (squared_distance(point, ball.centre) < ball.squared_radius) {
+            verdict_.add(Rule::kVertexInBall,
+                         {.simplices = {cell}, .vertices = {v}, .ball = ball, .point = point});
+          }
+          return true;
+        });
       }
     }
   }
@@ -158,8 +166,10 @@ Bounds bounds_of(const std::vector<Point>& points) {
   return box;
 }
 
-// Multiples are linear in the sum, so within the box they lie between those of its corners.
-std::vector<Simplex> shifts_into(const std::vector<Point>& lattice, const Bounds& box) {
+// Multiples are linear in the sum, so within the box they lie between those of its corners. Nobody
+// counts to 2^62, so what lies beyond is not looked at.
+void for_each_shift(const std::vector<Point>& lattice, const Bounds& box,
+                    const std::function<bool(const Simplex&)>& visit) {
   const std::size_t d = lattice.size();
   std::vector<Point> of_corners;
   for (std::size_t some = 0; some < std::size_t{1} << d; ++some) {
@@ -170,24 +180,27 @@ std::vector<Simplex> shifts_into(const std::vector<Point>& lattice, const Bounds
     of_corners.push_back(in_multiples(lattice, corner));
   }
   const Bounds range = bounds_of(of_corners);
-  Copies moves{.lattice = lattice};
-  std::vector<Simplex> partial = {{}}, found;
+  const Integer most = to_integer(Vertex{1} << 62U);
+  Simplex first, last;
   for (std::size_t i = 0; i < d; ++i) {
-    std::vector<Simplex> longer;
-    const long first = -rounded_down(Rational(-range.low[i])).get_si();
-    const long last = rounded_down(range.high[i]).get_si();
-    for (const Simplex& begun : partial) {
-      for (long multiple = first; multiple <= last; ++multiple) {
-        longer.push_back(begun);
-        longer.back().push_back(multiple);
-      }
+    const Integer low = -rounded_down(Rational(-range.low[i]));
+    const Integer high = rounded_down(range.high[i]);
+    if (low > high) return;
+    first.push_back(std::clamp(low, Integer(-most), most).get_si());
+    last.push_back(std::clamp(high, Integer(-most), most).get_si());
+  }
+  const Copies moves{.lattice = lattice};
+  for (Simplex way = first;;) {
+    end_if_interrupted();
+    if (is_in(box, moves.shift(way)) && !visit(way)) return;
+    std::size_t place = d;
+    while (place > 0 && way[place - 1] == last[place - 1]) {
+      --place;
+      way[place] = first[place];
     }
-    partial = std::move(longer);
+    if (place == 0) return;
+    ++way[place - 1];
   }
-  for (Simplex& multiples : partial) {
-    if (is_in(box, moves.shift(multiples))) found.push_back(std::move(multiples));
-  }
-  return found;
 }
 
 Rational times_covered(const ExactMesh& mesh, const Copies& copies) {

@@ -5,6 +5,7 @@
 // every bounded part.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "oracle/model/exact_mesh.hpp"
@@ -20,9 +21,12 @@ struct Bounds {
 // Requires: there is a point.
 Bounds bounds_of(const std::vector<Point>& points);
 
-// All multiples of the vectors whose sum is in the box, in lexicographic order.
-// Requires: the vectors are linearly independent, and as many as they have coordinates.
-std::vector<Simplex> shifts_into(const std::vector<Point>& lattice, const Bounds& box);
+// Calls `visit` with all multiples of the vectors whose sum is in the box, in lexicographic order,
+// until it returns false. Keeps none of them: a cell may be long and the vectors short. Throws
+// Interrupted. Requires: the vectors are linearly independent, and as many as they have
+// coordinates.
+void for_each_shift(const std::vector<Point>& lattice, const Bounds& box,
+                    const std::function<bool(const Simplex&)>& visit);
 
 // How many times the cells cover everything, if that is everywhere the same: their volumes, over
 // that of the lattice. Requires: as below; sound cells.

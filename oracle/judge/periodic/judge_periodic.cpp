@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -105,16 +106,19 @@ class PeriodicJudge {
       std::vector<Point> corners = coordinates(mesh_.points, mesh_.simplices[other]);
       const definition::Bounds box = definition::bounds_of(corners);
       corners.push_back(centre);
-      for (const Simplex& way :
-           definition::shifts_into(copies_.lattice, {centre - box.high, centre - box.low})) {
+      std::optional<Witness> found;
+      const definition::Bounds ways{centre - box.high, centre - box.low};
+      definition::for_each_shift(copies_.lattice, ways, [&](const Simplex& way) {
         const bool is_itself = other == 0 && way == Simplex(way.size(), 0);
         corners.back() = centre - copies_.shift(way);
-        if (is_itself || !has_last(corners)) continue;
-        return {.simplices = {mesh_.simplices[0], mesh_.simplices[other]},
-                .places = {0, other},
-                .values = definition::shift_in_words(way),
-                .point = centre};
-      }
+        if (is_itself || !has_last(corners)) return true;
+        found = Witness{.simplices = {mesh_.simplices[0], mesh_.simplices[other]},
+                        .places = {0, other},
+                        .values = definition::shift_in_words(way),
+                        .point = centre};
+        return false;
+      });
+      if (found) return std::move(*found);
     }
     return {};
   }
