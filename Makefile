@@ -23,7 +23,7 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
 .PHONY: build verified demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
-        coverage bench format clean deb dist fresh-root ports web web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
+        coverage bench format clean deb dist fresh-root ports wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
         deps-deb deps-bench deps-web
 
 deps: ; @cmake/packages.sh build demo proofs test browser bench web
@@ -85,6 +85,27 @@ npm: deps-web
 	@JOBS=$(JOBS) js/build.sh build/web
 	@js/test.sh build/web
 	@echo "built $(CURDIR)/build/web/circumspect-oracle-*.tgz"
+
+# The Python package as a wheel that needs nothing but Python and NumPy, with the command in it, and the archive of its
+# sources, in build/wheel/dist; `wheel-root` installs the wheel into a bare Debian 13 and judges there.
+wheel: deps-verified
+	@cmake/packages.sh wheel
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED)-static
+	@JOBS=$(JOBS) packaging/wheel.sh build/wheel $(VERIFIED)-static $(PYTHONS)
+wheel-root:
+	@packaging/wheel_root_test.sh build/wheel/dist
+
+# The crate, tested against the C library, shared and as an archive.
+rust:
+	@cmake/packages.sh build rust
+	@JOBS=$(JOBS) rust/make.sh build/rust
+
+# All that a release consists of, with checksums, in build/published: docs/releasing.md.
+release:
+	@$(MAKE) --no-print-directory dist wheel
+	@$(MAKE) --no-print-directory npm rust
+	@$(MAKE) --no-print-directory deb
+	@packaging/release.sh build/published
 
 # Debian packages of the command, the libraries and the Python package, in build/deb; lintian looks at them.
 deb: deps-deb
