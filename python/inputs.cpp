@@ -181,6 +181,14 @@ py::tuple drawn_case(const std::vector<std::string>& names, std::size_t dimensio
   return py::make_tuple(drawn.family, drawn.seed, arrays[0], arrays[1]);
 }
 
+// With the exponents of all coordinates in a range, as the command's campaigns draw them.
+py::tuple brought_within(const Doubles& points, const std::optional<Doubles>& weights, int least,
+                         int largest, bool may_repeat_points) {
+  return arrays_of(
+      generators::brought_within(set_of(points, weights), {least, largest}, may_repeat_points),
+      static_cast<std::size_t>(points.shape(1)));
+}
+
 // The smallest points found for which `still_fails(points, weights)` is true.
 py::tuple minimized(const Doubles& points, const std::optional<Doubles>& weights,
                     const std::function<bool(const py::object&, const py::object&)>& still_fails,
@@ -230,6 +238,7 @@ void bind_inputs(py::module_& module) {
   module.def("generate_domain", &generate_domain);
   module.def("drawn_case", &drawn_case);
   module.def("drawn_domain_case", &drawn_domain_case);
+  module.def("brought_within", &brought_within);
   module.def("minimized", &minimized);
   module.def("minimized_domain", &minimized_domain);
   module.def("poly_text", &poly_text);

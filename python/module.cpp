@@ -139,7 +139,7 @@ class MeshArgument {
 };
 
 // (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind,
-// polygons_of_holes, polygon_hole_seeds, region_seeds, merge_coplanar)
+// polygons_of_holes, polygon_hole_seeds, region_seeds, merge_coplanar, resolve)
 class DomainArgument {
  public:
   explicit DomainArgument(const py::tuple& parts)
@@ -174,6 +174,7 @@ class DomainArgument {
     domain_.region_seeds = regions_.doubles();
     domain_.exact_region_seeds = regions_.texts();
     domain_.merge_coplanar = parts[11].cast<bool>() ? 1 : 0;
+    domain_.resolve = parts[12].cast<bool>() ? 1 : 0;
   }
   const circumspect_domain* get() const { return &domain_; }
 
