@@ -135,6 +135,30 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
   CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 cdt 2 hull plc\n"));
 }
 
+// A mesh of the hull without its hole is no mesh of the hull: certificates are about the latter.
+TEST_CASE("certify: no hull with holes, of which check says another thing than of the hull") {
+  const CertifiedMeshes meshes;
+  meshes.folder.write("holed.edge", "4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n");
+  meshes.folder.write("holed.node", kSquareFrom5);
+  const std::string none = meshes.folder.write("holed.ele", "0 3\n");
+  const std::string square = meshes.folder.write(
+      "holed.poly",
+      "4 2 0 0\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n1\n1 1 1\n");
+  const std::vector<std::string> about = {none,   "--domain", square, "--fill",
+                                          "hull", "--claim",  "cdt"};
+  std::vector<std::string> certify = {"certify", "-o", meshes.cert};
+  std::vector<std::string> check = {"check"}, both = {"check", "--certificate", meshes.cert};
+  for (auto* words : {&certify, &check, &both})
+    words->insert(words->end(), about.begin(), about.end());
+  CHECK(run(check).exit_code == 0);
+  for (const auto& words : {certify, both}) {
+    const Run refused = run(words);
+    CHECK(refused.exit_code == 2);
+    CHECK(has(refused.err, "nothing is proved of a hull with holes"));
+    CHECK(!meshes.has_cert());
+  }
+}
+
 TEST_CASE("certify: a refutation of a claim about a domain") {
   const CertifiedMeshes meshes;
   const std::string square = meshes.folder.write("square.poly", kOutline);
