@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import fractions
-import html
 import json
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
@@ -106,6 +105,8 @@ class Verdict:
         return self._page()
 
     def _repr_html_(self) -> str:
+        import html
+
         colour = "#1a7f37" if self.holds else "#cf222e"
         text = f'<pre style="border-left: 4px solid {colour}; padding-left: 1em">{html.escape(str(self))}</pre>'
         if self.holds or self._page is None:

@@ -139,8 +139,8 @@ Soup drawn_book(Random& random) {
 }
 
 // A square with a notch that is some bits wide. The image of the corner in the notch is beside it,
-// and a vertex of the path of one side is as far off the plane: where the paths pass each other, the
-// triangles about the corner cover the plane twice.
+// and a vertex of the path of one side is as far off the plane: where the paths pass each other,
+// the triangles about the corner cover the plane twice.
 Soup drawn_notch(Random& random) {
   PiecewiseLinearInput notched;
   notched.points = {{0, 0, 0}, {8, 0, 0}, {8, 2, 0}, {2, 2, 0}, {8, 2 + bits(90), 0},
