@@ -111,8 +111,8 @@ unsigned all_processors() {
 
 }  // namespace
 
-// signal() keeps two numbers for the threads of libc, at which a process ends by default. The kernel
-// makes no difference; it is told in its own structure.
+// signal() keeps two numbers for the threads of libc, at which a process ends by default. The
+// kernel makes no difference; it is told in its own structure.
 void set_signals(void (*handler)(int)) {
   struct {
     void (*handler)(int);
