@@ -111,18 +111,25 @@ unsigned all_processors() {
 
 }  // namespace
 
-// signal() keeps two numbers for the threads of libc, at which a process ends by default. The
-// kernel makes no difference; it is told in its own structure.
+// libc keeps the numbers below SIGRTMIN for its threads, at which a process ends by default, and
+// refuses to set them. The kernel makes no difference; it is told in its own structure.
 void set_signals(void (*handler)(int)) {
+  constexpr int kFirstOfThreads = 32;
   struct {
     void (*handler)(int);
     unsigned long flags = 0;
     void (*restorer)() = nullptr;
     std::uint64_t mask = 0;
-  } const action{handler};
+  } const of_kernel{handler};
+  struct sigaction action = {};
+  action.sa_handler = handler;
   for (int number = 1; number <= SIGRTMAX; ++number) {
     if (number == SIGCHLD) continue;
-    syscall(SYS_rt_sigaction, number, &action, nullptr, sizeof(action.mask));
+    if (number >= kFirstOfThreads && number < SIGRTMIN) {
+      syscall(SYS_rt_sigaction, number, &of_kernel, nullptr, sizeof(of_kernel.mask));
+    } else {
+      sigaction(number, &action, nullptr);
+    }
   }
 }
 
