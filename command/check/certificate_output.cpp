@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "command/check/filled_by_cones.hpp"
+#include "construct/delaunay.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/certificate/document.hpp"
@@ -15,7 +16,6 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/constructions.hpp"
 #include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
@@ -87,7 +87,7 @@ std::optional<std::vector<Simplex>> fill(const PointSet& points,
 }
 
 std::vector<Simplex> delaunay_simplices(const PointSet& points) {
-  return reference::canonical_delaunay(points).simplices();
+  return construct::any_canonical_delaunay(points).triangulation.simplices();
 }
 
 // The canonical triangulation, if it has the simplices; where points are cospherical, what fills
