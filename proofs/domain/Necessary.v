@@ -268,10 +268,16 @@ Proof.
     assert (Three : exists m, (m <= d)%nat /\ m <> i /\ m <> k /\ m <> l).
     { assert (exists m, (m <= 3)%nat /\ m <> i /\ m <> k /\ m <> l) as (m & Hm & H);
         [|exists m; split; [lia|assumption]].
-      destruct (Nat.eq_dec 0 i), (Nat.eq_dec 0 k), (Nat.eq_dec 0 l); try (exists 0%nat; lia);
-      destruct (Nat.eq_dec 1 i), (Nat.eq_dec 1 k), (Nat.eq_dec 1 l); try (exists 1%nat; lia);
-      destruct (Nat.eq_dec 2 i), (Nat.eq_dec 2 k), (Nat.eq_dec 2 l); try (exists 2%nat; lia);
-        exists 3%nat; lia. }
+      assert (Off : forall m, ~ In m [i; k; l] -> m <> i /\ m <> k /\ m <> l).
+      { intros m N. repeat split; intros ->; apply N; cbn; auto. }
+      destruct (in_dec Nat.eq_dec 0%nat [i; k; l]) as [I0|N]; [|exists 0%nat; auto with arith].
+      destruct (in_dec Nat.eq_dec 1%nat [i; k; l]) as [I1|N]; [|exists 1%nat; auto with arith].
+      destruct (in_dec Nat.eq_dec 2%nat [i; k; l]) as [I2|N]; [|exists 2%nat; auto with arith].
+      exists 3%nat. split; [lia|]. apply Off. intros I3.
+      assert (L : (length [0; 1; 2; 3] <= length [i; k; l])%nat);
+        [|cbn in L; lia].
+      apply NoDup_incl_length; [repeat constructor; cbn; lia|].
+      intros x [<-|[<-|[<-|[<-|[]]]]]; assumption. }
     destruct Three as (m & Hm & Nm & Nmk & Nml).
     apply (three_off_a_line t k l m a b); auto.
   - unfold wall_cells. destruct (Nat.eq_dec d 2) as [E|N2].

@@ -87,7 +87,7 @@ let polygon c =
   let offset, rest = integer c expected rest in
   let axis, rest = place c expected rest in
   no_more c expected rest;
-  let plane = { c with d = 2; labels = Hashtbl.create 64 } in
+  let plane = { c with d = 2; labels = no_labels_of_part () } in
   let plane_mesh, _ = Certificate_file.body plane Triangulation in
   let plane_mesh = Certificate_file.in_lists Plane plane_mesh in
   let plane_part = part plane in
@@ -158,7 +158,7 @@ let read c domain_claimed kind ~is_complex =
 
 (* A domain with a mesh that is not the caller's, of which nothing is claimed but that it is one. *)
 let with_another_mesh c domain_claimed kind =
-  let certificate, _ = body { c with labels = Hashtbl.create 64 } SteinerTriangulation kind in
+  let certificate, _ = body { c with labels = no_labels_of_part () } SteinerTriangulation kind in
   { certificate with domain_claimed }
 
 (* A vertex; a point on a segment; or one in a piece of a polygon. *)

@@ -108,7 +108,7 @@ let context source claims claim dimension =
     | "3" -> (Space, 3)
     | _ -> Text.fail source "the dimension, 2 or 3" (Text.quote dimension) in
   ({ Reading.source; d; weighted = claim = claim_name WeightedDelaunay;
-     labels = Hashtbl.create 1024 },
+     labels = Reading.no_labels source },
    claimed, space)
 
 let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
@@ -131,11 +131,13 @@ let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canon
 let certificate (c : Reading.context) space claimed standing =
   let packed, labels = Certificate_file.read c claimed in
   let frame = packed.frame in
+  (* What follows does not keep the context, which has the text of the file. *)
+  let d = c.d and weighted = c.weighted in
   let mesh = lazy (
     let corners (e : simplex_entry) = List.map Option.some e.corners in
     let vertices k = corners (entry_of space packed.rows_of (k + 1)) in
-    { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d;
-      weighted = c.weighted; labels = Array.of_list labels; ordered = false;
+    { Users_mesh.unit = (frame.numerator, frame.denominator); d;
+      weighted; labels = Array.of_list labels; ordered = false;
       sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
       simplices = { count = packed.simplex_count; vertices }; dangling = None }) in
   let verdict () =
@@ -145,7 +147,7 @@ let certificate (c : Reading.context) space claimed standing =
     | NotSettled where -> ("rejected: " ^ Option.get standing ^ place where, 1)
     | Holds ->
       (Printf.sprintf "verified: %s, %s%s" (claim_name frame.claimed)
-         (counts c.d (List.length frame.points) packed.simplex_count)
+         (counts d (List.length frame.points) packed.simplex_count)
          (Option.fold standing ~none:"" ~some:(fun word -> snd (List.assoc word standings))), 0) in
   { mesh; compare_domain = None; verdict }
 
@@ -404,6 +406,8 @@ let of_users_files ~exactly ~further_holes mesh poly content =
         Users_mesh.compare_faces mesh dangling number_of short
           (List.map (fun (vertices, name) -> (vertices, text_of name)) files)) in
   let same () =
+    (* Where the text of the certificate was, these files have room. *)
+    Gc.full_major ();
     let* () = match mesh with
       | None -> Ok ()
       | Some (node, ele) ->

@@ -64,7 +64,7 @@ let () =
     let channel = open_in_bin Sys.argv.(1) in
     let source = Text.of_string (really_input_string channel (in_channel_length channel)) in
     let _ = Text.next_of source "the first line" in
-    let c = { Reading.source; d = 3; weighted = false; labels = Hashtbl.create 16 } in
+    let c = { Reading.source; d = 3; weighted = false; labels = Reading.no_labels source } in
     let packed, _ = Certificate_file.read c Delaunay in
     let points = packed.frame.points and s = Certificate_file.digits_left_out packed.frame in
     let places = Words.of_list (Word.shifted s) (List.concat_map (fun e -> e.position.coordinates) points) in

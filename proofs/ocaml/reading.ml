@@ -1,8 +1,14 @@
 (* What the two kinds of files have in common; see CERTIFICATE.md. *)
 open Extracted
 
-type context = { source : Text.t; d : int; weighted : bool;
-                 labels : (Big.t, unit) Hashtbl.t }
+(* The labels that were read: a bit for each that is less than the bytes of the file, as nearly all are, and the others. *)
+type labels = { small : Bytes.t; others : (Big.t, unit) Hashtbl.t }
+let no_labels (source : Text.t) =
+  { small = Bytes.make (String.length source.text / 8 + 1) '\000'; others = Hashtbl.create 16 }
+(* Of a part of a file, of which there may be many. *)
+let no_labels_of_part () = { small = Bytes.empty; others = Hashtbl.create 64 }
+
+type context = { source : Text.t; d : int; weighted : bool; labels : labels }
 
 (* Peano's numerals, which count the vertices of a simplex: each is made of the one before it, once. *)
 let naturals = ref [| O |]
@@ -57,9 +63,19 @@ let line c name rest_expected =
 
 (* By which index the user knows a point; no two points have the same. *)
 exception Repeated_label of string
+let is_new { small; others } label =
+  let place = if Big.fits_int label then Big.to_int label / 8 else -1 in
+  if Big.sign label >= 0 && place >= 0 && place < Bytes.length small then begin
+    let bits = Char.code (Bytes.get small place) and bit = 1 lsl (Big.to_int label land 7) in
+    Bytes.set small place (Char.chr (bits lor bit));
+    bits land bit = 0
+  end else begin
+    let known = Hashtbl.mem others label in
+    if not known then Hashtbl.add others label ();
+    not known
+  end
 let new_label c label =
-  if Hashtbl.mem c.labels label then raise (Repeated_label (Big.to_string label));
-  Hashtbl.add c.labels label ();
+  if not (is_new c.labels label) then raise (Repeated_label (Big.to_string label));
   label
 let label c expected tokens =
   let values, rest = take c integer 1 expected tokens in
