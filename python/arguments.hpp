@@ -111,7 +111,7 @@ class MeshArgument {
 };
 
 // (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind,
-// polygons_of_holes, polygon_hole_seeds, region_seeds, merge_coplanar)
+// polygons_of_holes, polygon_hole_seeds, region_seeds, merge_coplanar, resolve)
 class DomainArgument {
  public:
   explicit DomainArgument(PyObject* tuple) : DomainArgument(Parts(tuple)) {}
@@ -150,6 +150,7 @@ class DomainArgument {
     domain_.region_seeds = regions_.doubles();
     domain_.exact_region_seeds = regions_.texts();
     domain_.merge_coplanar = value_of<bool>(parts[11]) ? 1 : 0;
+    domain_.resolve = value_of<bool>(parts[12]) ? 1 : 0;
   }
 
   circumspect_domain domain_ = CIRCUMSPECT_DOMAIN;

@@ -194,6 +194,16 @@ std::tuple<std::string, std::uint64_t, Object, Object> drawn_case(
   return {drawn.family, drawn.seed, arrays.points, arrays.weights};
 }
 
+// With the exponents of all coordinates in a range, as the command's campaigns draw them.
+std::pair<Object, Object> brought_within(const Doubles& points,
+                                         const std::optional<Doubles>& weights, std::int32_t least,
+                                         std::int32_t largest, bool may_repeat_points) {
+  return arrays_of(generators::brought_within(set_of(points, weights), {least, largest},
+                                              may_repeat_points),
+                   dimension_of(points))
+      .both();
+}
+
 // The smallest points found for which `still_fails(points, weights)` is true.
 std::pair<Object, Object> minimized(const Doubles& points, const std::optional<Doubles>& weights,
                                     const Object& still_fails, std::size_t tries, double seconds) {
@@ -244,6 +254,7 @@ PyMethodDef* methods_of_inputs() {
       method<&generate_domain>("generate_domain"),
       method<&drawn_case>("drawn_case"),
       method<&drawn_domain_case>("drawn_domain_case"),
+      method<&brought_within>("brought_within"),
       method<&minimized>("minimized"),
       method<&minimized_domain>("minimized_domain"),
       method<&poly_text>("poly_text"),

@@ -19,7 +19,8 @@ from . import _core
 from ._core import InputError, NoTriangulation, Undecided
 from .domains import Domain, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
-from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of
+from .meshes import (guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of,
+                     without_coordinate)
 from .periodic import periodic_of
 from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
@@ -55,7 +56,7 @@ def __dir__() -> List[str]:
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
           by: str = "lemma", oriented: bool = False, demands: Any = (), duplicates: str = "reject", allow_empty: bool = False,
-          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, limit: Optional[float] = None, copy: bool = True,
+          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, drop: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
           name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
@@ -73,7 +74,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
         judged by default.
     weights: (n,), for "weighted-delaunay".
-    domain: a Domain, a dictionary of its parts, or a surface of triangles.
+    domain: a Domain, a dictionary of its parts, a surface of triangles, or polygons with holes: a text of WKT or
+        GeoJSON, a dictionary of GeoJSON, or a geometry of shapely.
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
     demands: names of what else is demanded, as the command's options: "manifold", "connected", "closed",
@@ -89,6 +91,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         one, of the boundary of the mesh) are set aside.
     lattice, offsets: for "periodic-delaunay". (d, d) doubles, the vectors along which the mesh repeats, or d numbers, the
         edges of a box; and (m, d+1, d) integers, which multiples of them move the point of each corner there.
+    drop: "x", "y" or "z": leaves out this coordinate of triangles or edges in space, so that a terrain is judged as it
+        is seen from above ("z").
     limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
     copy: False judges arrays of doubles and of 32 or 64 bit integers in C order in place. They must then not change
         before the call returns, or the verdict means nothing or the process crashes. Read-only arrays are never
@@ -115,6 +119,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     if claim == "convex-hull":
         points, simplices = facets_of(points, simplices)
     mesh = mesh_of(points, simplices, neighbors, weights)
+    if drop is not None:
+        mesh = without_coordinate(mesh, drop)
     about = None
     if domain is not None:
         filled = domain_of(domain)
