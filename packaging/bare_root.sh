@@ -3,7 +3,7 @@
 #   make_bare_root RELEASE   a bare Debian in $bare, which goes when the test ends
 #   inside COMMANDS          runs them there, in /root, with no more than a login has
 #   fail TEXT
-# Needs root, debootstrap and the network; MIRROR names another mirror, and BARE a root that was made
+# Needs root, debootstrap and the network; MIRROR names another mirror, BARE a root that was made
 # before, of which a copy is taken.
 mirror=${MIRROR:-http://deb.debian.org/debian}
 work=$(mktemp -d)

@@ -4,6 +4,7 @@ import doctest
 import importlib
 import pathlib
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -359,6 +360,14 @@ def test_words_for_the_command(words, is_passed_on, monkeypatch):
     finally:
         signal.signal(signal.SIGINT, before)
         signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+
+
+def test_files_of_meshio_alone():
+    """What the command reads itself, exactly, does not go to meshio."""
+    table = (ROOT / "oracle" / "formats" / "format_table.cpp").read_text(encoding="utf-8")
+    read = {ending for row in re.findall(r"\.endings = \{([^}]*)\}", table) for ending in re.findall(r'"(\.[^"]+)"', row)}
+    program = importlib.import_module("circumspect.__main__")
+    assert {".ele", ".vtu"} <= read and not read & set(program.FILES_OF_MESHIO)
 
 
 def test_command(tmp_path):
