@@ -45,6 +45,23 @@ def test_pages(page, tmp_path, monkeypatch):
     assert found.failed == 0 and found.attempted > 20
 
 
+def test_what_is_imported():
+    """Who judges waits neither for NumPy, which a call imports, nor for what campaigns need."""
+    seen = subprocess.run([sys.executable, "-c", "import sys, circumspect; print(*sys.modules)"], capture_output=True, text=True,
+                          check=True).stdout.split()
+    assert "circumspect.verdicts" in seen
+    assert not {"numpy", "multiprocessing", "inspect", "circumspect.campaigns"} & set(seen)
+    assert {"campaign", "minimize", "Campaign", "Finding"} <= set(dir(circumspect))
+    assert circumspect.campaign.__module__ == "circumspect.campaigns"
+    with pytest.raises(AttributeError, match="no attribute 'campain'"):
+        circumspect.campain  # pylint: disable=pointless-statement
+
+
+def test_one_module_for_all_pythons():
+    name = pathlib.Path(circumspect._core.__file__).name
+    assert name == "_core.abi3.so" or sys.version_info < (3, 11)
+
+
 def test_a_verdict_and_its_parts():
     verdict = circumspect.check(POINTS, WRONG, name="mine")
     assert not verdict and verdict.rules == {"delaunay.facet-not-local": 1}

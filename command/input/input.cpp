@@ -215,8 +215,8 @@ std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates) {
   return repeated.empty() ? "" : equal_points_fault(loaded, repeated);
 }
 
-tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
-                                                    const InputOptions& options) {
+tl::expected<LoadedMesh, std::string> load_point_rows(const std::string& path,
+                                                      const InputOptions& options) {
   auto raw = formats::read_points(path, options.coordinates);
   if (!raw) return tl::unexpected(raw.error().to_string());
   auto weights = formats::weights_of(*raw, weights_asked_for(options));
@@ -228,17 +228,23 @@ tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
   std::string fault = choose_coordinates(loaded, options);
   if (fault.empty()) fault = settle_equal_points(loaded, options.duplicates);
   if (!fault.empty()) return tl::unexpected(fault);
-  LoadedPoints points{path, exact(loaded.mesh), loaded.notes, loaded.merged,
-                      note_of_merging(loaded)};
   const std::string end = formats::extension_inside(path);
   // Scanners write colours and normals there.
   if (loaded.mesh.dimension() > 3 && (end == ".xyz" || end == ".csv" || end == ".txt")) {
-    points.notes.push_back(
+    loaded.notes.push_back(
         fmt::format("{}: read as points of dimension {}, one for each column; if only the first "
                     "three columns are coordinates, give --dimension 3",
                     path, loaded.mesh.dimension()));
   }
-  return points;
+  return loaded;
+}
+
+tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
+                                                    const InputOptions& options) {
+  const auto loaded = load_point_rows(path, options);
+  if (!loaded) return tl::unexpected(loaded.error());
+  return LoadedPoints{path, exact(loaded->mesh), loaded->notes, loaded->merged,
+                      note_of_merging(*loaded)};
 }
 
 }  // namespace circumspect::cli

@@ -84,7 +84,10 @@ std::optional<std::string> note_of_merging(const LoadedMesh& loaded);
 // they are refused; empty if all is well.
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 
-// Points alone, as a mesh without simplices. Errors: as above, and equal points that are refused.
+// Points alone, as a mesh without simplices: in arrays, or as exact numbers. Errors: as above, and
+// equal points that are refused.
+tl::expected<LoadedMesh, std::string> load_point_rows(const std::string& path,
+                                                      const InputOptions& options);
 struct LoadedPoints {
   std::string name;
   ExactMesh mesh;

@@ -7,6 +7,7 @@
 
 #include "kernel/exact/interruption.hpp"
 #include "oracle/judge/points/cells.hpp"
+#include "oracle/judge/unlike_rows.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
@@ -98,6 +99,13 @@ std::vector<Vertex> matched(const PointsOfDoubles& a, const std::vector<Place>& 
   return place_in_b;
 }
 
+// The simplices at some places, ascending.
+CellList cells_at(const Mesh& mesh, const std::vector<std::size_t>& places) {
+  CellList cells;
+  for (const std::size_t i : places) cells.add(mesh.simplices[i]);
+  return cells;
+}
+
 CellList cells_of(const Mesh& mesh) {
   CellList cells;
   mesh.simplices.visit([&cells]<class Lists>(const Lists& lists) {
@@ -110,6 +118,17 @@ CellList cells_of(const Mesh& mesh) {
   });
   add_dangling(cells, mesh.faces, mesh.points());
   return cells;
+}
+
+CellDifference difference_of(const Mesh& a, const Mesh& b, const std::vector<Vertex>& place_in_b) {
+  if (a.faces.empty() && b.faces.empty()) {
+    // What the two meshes list equally often is in neither's list, whatever else they have.
+    if (const auto unlike = unlike_rows(a.simplices, b.simplices, place_in_b, b.points())) {
+      return difference_of_cells(cells_at(a, unlike->of_a), cells_at(b, unlike->of_b), place_in_b,
+                                 b.points());
+    }
+  }
+  return difference_of_cells(cells_of(a), cells_of(b), place_in_b, b.points());
 }
 
 }  // namespace
@@ -126,8 +145,7 @@ std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
   if (!places_of_a || !places_of_b) return std::nullopt;
   Difference result;
   const auto place_in_b = matched(*points_of_a, *places_of_a, *points_of_b, *places_of_b, result);
-  CellDifference cells =
-      difference_of_cells(cells_of(a), cells_of(b), place_in_b, places_of_b->size());
+  CellDifference cells = difference_of(a, b, place_in_b);
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
   result.b_has_too = std::move(cells.b_has_too);

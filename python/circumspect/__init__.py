@@ -13,11 +13,10 @@ Nothing is rounded: coordinates are taken as exact numbers, and no tolerance aff
 from __future__ import annotations
 
 import json
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Tuple
 
 from . import _core
 from ._core import InputError, NoTriangulation, Undecided
-from .campaigns import Campaign, Finding, campaign, minimize
 from .domains import Domain, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
 from .meshes import (guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of,
@@ -26,6 +25,9 @@ from .periodic import periodic_of
 from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
 
+if TYPE_CHECKING:
+    from .campaigns import Campaign, Finding, campaign, minimize
+
 __version__: str = _core.version
 __all__ = [
     "Ball", "Campaign", "CheckFailed", "Comparison", "Constrained", "Domain", "Family", "Finding", "InputError",
@@ -33,6 +35,22 @@ __all__ = [
     "compare", "constrained_delaunay", "delaunay", "families", "generate", "generate_domain", "in_ball", "inspect",
     "minimize", "orient",
 ]
+
+OF_CAMPAIGNS = ("Campaign", "Finding", "campaign", "minimize")
+
+
+def __getattr__(name: str) -> Any:
+    """Who only judges does not wait for what hunts to be imported."""
+    if name not in OF_CAMPAIGNS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from . import campaigns
+
+    globals().update((each, getattr(campaigns, each)) for each in OF_CAMPAIGNS)
+    return globals()[name]
+
+
+def __dir__() -> List[str]:
+    return sorted({*globals(), *OF_CAMPAIGNS})
 
 
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
@@ -198,8 +216,7 @@ def orient(*points: Any) -> int:
     >>> orient((0, 0), (1, 0), (0, 1)), orient((0.1, 0.1), (0.2, 0.2), (0.3, 0.3))
     (1, 0)
     """
-    own = numbers_of(list(points), "points")
-    return _core.predicate(False, own.shape[1], own.values)
+    return sign_of(False, points)
 
 
 def in_ball(*points: Any) -> int:
@@ -210,8 +227,16 @@ def in_ball(*points: Any) -> int:
     >>> in_ball((0, 0), (third, 0), (0, third), (third, third))
     0
     """
-    own = numbers_of(list(points), "points")
-    return _core.predicate(True, own.shape[1], own.values)
+    return sign_of(True, points)
+
+
+def sign_of(in_ball: bool, points: tuple) -> int:
+    """Points of plain numbers are not made an array of first, which would take most of the time."""
+    sign = _core.plain_predicate(in_ball, points)
+    if sign is None:
+        own = numbers_of(list(points), "points")
+        sign = _core.predicate(in_ball, own.shape[1], own.values)
+    return sign
 
 
 def inspect(points: Any, weights: Any = None) -> dict:

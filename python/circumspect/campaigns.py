@@ -4,7 +4,6 @@ from __future__ import annotations
 import copy
 import faulthandler
 import inspect as signatures
-import multiprocessing
 import time as clocks
 import traceback
 from pathlib import Path
@@ -148,6 +147,8 @@ class IsolatedSubject(Subject):
     """The same in a forked process, which may crash or hang. It serves many calls and is replaced if it ends."""
 
     def __init__(self, *arguments: Any, time_limit: float):
+        import multiprocessing  # a twentieth of a second
+
         super().__init__(*arguments)
         self.time_limit = time_limit
         self.context = multiprocessing.get_context("fork")

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import fractions
-import html
 import json
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
@@ -110,6 +109,8 @@ class Verdict:
         return self._page()
 
     def _repr_html_(self) -> str:
+        import html
+
         colour = "#1a7f37" if self.holds else "#cf222e"
         lines, last = str(self)[:LARGEST_SHOWN // 8], self.text.splitlines()[-1]
         if len(lines) < len(str(self)):
