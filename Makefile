@@ -142,6 +142,7 @@ check: test-style
 	@mkdir -p build
 	@$(CONFIGURE) --preset release $(ALL_TESTS) >build/check.log || { cat build/check.log; exit 1; }
 	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) python3 tidy/check.py build/release --jobs $(JOBS)
+	@python3 properties/generated_mutants.py --untried
 
 # The proofs are compiled before the C++ sources: side by side, four compilers take turns on two processors and get in each
 # other's way. The browser is installed beside the compilers, and the sanitizers' build and its tests run beside the release's
@@ -218,13 +219,14 @@ soak: deps-test
 
 # Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
 # Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md): with CHANGED=1 of the
-# files that are others than those that were tried, with FILES=oracle/judge/voronoi of some.
+# files that have changed since, with FILES=oracle/judge/voronoi of some; COUNT=100 tries so many.
 mutants: deps-test
 	@python3 properties/mutants.py build/mutants
 
 mutants-generated: deps-test
 	@cmake/packages.sh mutants
-	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES))
+	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES)) \
+	  $(if $(COUNT),--count $(COUNT))
 
 # The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, where the readers take many
 # times as many inputs a second; then what was kept, and some more, under the sanitizers.

@@ -60,7 +60,7 @@ libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf '
 step "installing what compiles for arm64, and qemu" inside \
   "dpkg --add-architecture arm64 && apt-get -q update &&
    apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 $libraries \
-     debhelper dpkg-dev fakeroot lintian qemu-user"
+     build-essential debhelper dpkg-dev fakeroot lintian qemu-user"
 cat >"$root/root/circumspect/build/arm64.cmake" <<'END'
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)

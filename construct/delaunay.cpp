@@ -13,6 +13,7 @@
 #include "construct/insertion_order.hpp"
 #include "kernel/exact/interruption.hpp"
 #include "oracle/judge/fast/judge.hpp"
+#include "reference/constructions.hpp"
 
 namespace circumspect::construct {
 namespace {
@@ -171,6 +172,12 @@ std::optional<ProvedDelaunay> canonical_delaunay(const PointSet& points, const P
   }
   return canonical_delaunay(numbers_of(points.points(), points.ambient_dimension()),
                             numbers_of(weights), progress);
+}
+
+CanonicalDelaunay any_canonical_delaunay(const PointSet& points, const Progress& progress) {
+  const auto fast = canonical_delaunay(points, progress);
+  if (fast) return {fast->triangulation(), fast->is_unique};
+  return {reference::canonical_delaunay(points, progress)};
 }
 
 }  // namespace circumspect::construct

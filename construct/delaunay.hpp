@@ -35,4 +35,11 @@ std::optional<ProvedDelaunay> canonical_delaunay(const Numbers& coordinates, con
 std::optional<ProvedDelaunay> canonical_delaunay(const PointSet& points,
                                                  const Progress& progress = {});
 
+// The same of any number of points of any dimension: constructed fast, or else by the book.
+struct CanonicalDelaunay {
+  Triangulation triangulation;
+  bool is_known_unique = false;  // if not, there may be another Delaunay triangulation
+};
+CanonicalDelaunay any_canonical_delaunay(const PointSet& points, const Progress& progress = {});
+
 }  // namespace circumspect::construct

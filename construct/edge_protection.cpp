@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "kernel/predicates/in_ball.hpp"
-#include "reference/constructions.hpp"
 
 namespace circumspect::construct {
 namespace {
@@ -38,11 +37,9 @@ bool has_no_ties(const PointSet& points, const std::vector<Simplex>& star) {
 
 EdgeProtection::EdgeProtection(const PiecewiseLinearComplex& complex, const Progress& progress)
     : complex_(complex) {
-  const auto fast = canonical_delaunay(complex.points, progress);
-  const Triangulation canonical =
-      fast ? fast->triangulation() : reference::canonical_delaunay(complex.points, progress);
-  is_unique_ = fast && fast->is_unique;
-  simplices_ = canonical.simplices();
+  const CanonicalDelaunay canonical = any_canonical_delaunay(complex.points, progress);
+  is_unique_ = canonical.is_known_unique;
+  simplices_ = canonical.triangulation.simplices();
   for (const Simplex& simplex : simplices_) {
     for (std::size_t i = 0; i < simplex.size(); ++i) {
       for (std::size_t j = i + 1; j < simplex.size(); ++j) {

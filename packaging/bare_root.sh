@@ -3,7 +3,8 @@
 #   make_bare_root RELEASE   a bare Debian in $bare, which goes when the test ends
 #   inside COMMANDS          runs them there, in /root, with no more than a login has
 #   fail TEXT
-# Needs root, debootstrap and the network; MIRROR names another mirror.
+# Needs root, debootstrap and the network; MIRROR names another mirror, and BARE a root that was made
+# before, of which a copy is taken.
 mirror=${MIRROR:-http://deb.debian.org/debian}
 work=$(mktemp -d)
 bare=$work/root
@@ -20,7 +21,11 @@ quietly() {
 
 make_bare_root() {
   [ "$(id -u)" -eq 0 ] || fail "expected to be root, which chroot needs"
-  quietly debootstrap --variant=minbase "$1" "$bare" "$mirror"
+  if [ -n "${BARE:-}" ]; then
+    cp -a "$BARE" "$bare"
+  else
+    quietly debootstrap --variant=minbase "$1" "$bare" "$mirror"
+  fi
 }
 
 # Mounts end with the process that needs them.

@@ -39,11 +39,14 @@ quietly /usr/bin/python3 -m build --sdist --no-isolation --outdir "$copy/made" "
 [ -z "${CIRCUMSPECT_ONLY_SOURCES:-}" ] || exit 0
 
 "$here/wheel_libraries.sh" "$folder/libraries"
+# Their headers are the system's, from the same sources.
+archives=(-DCIRCUMSPECT_gmp_gmpxx="$folder/libraries/lib/libgmpxx.a" -DCIRCUMSPECT_gmp_gmp="$folder/libraries/lib/libgmp.a"
+          -DCIRCUMSPECT_mpfr_mpfr="$folder/libraries/lib/libmpfr.a")
 for python in "$@"; do
   # The layers are the same for all; what the last Python left in the cache is not. Functions that
   # nobody calls are left out.
   quietly cmake -S "$root" -B "$folder/build" -G Ninja -U 'Python3_*' -U '_Python3_*' -DPython3_EXECUTABLE="$(command -v "$python")" \
-    -DCMAKE_PREFIX_PATH="$folder/libraries" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCIRCUMSPECT_QUICK_BUILD=ON \
+    "${archives[@]}" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCIRCUMSPECT_QUICK_BUILD=ON \
     -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_PYTHON=ON -DCIRCUMSPECT_PYTHON_COMMAND=ON \
     -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_INSTALL=OFF \
     -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root=. -ffunction-sections -fdata-sections" \

@@ -196,10 +196,10 @@ std::tuple<std::string, std::uint64_t, Object, Object> drawn_case(
 
 // With the exponents of all coordinates in a range, as the command's campaigns draw them.
 std::pair<Object, Object> brought_within(const Doubles& points,
-                                         const std::optional<Doubles>& weights, int least,
-                                         int largest, bool may_repeat_points) {
-  const generators::PointsCase set = set_of(points, weights);
-  return arrays_of(generators::brought_within(set, {least, largest}, may_repeat_points),
+                                         const std::optional<Doubles>& weights, std::int32_t least,
+                                         std::int32_t largest, bool may_repeat_points) {
+  return arrays_of(generators::brought_within(set_of(points, weights), {least, largest},
+                                              may_repeat_points),
                    dimension_of(points))
       .both();
 }

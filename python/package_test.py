@@ -4,6 +4,7 @@ import doctest
 import importlib
 import pathlib
 import pickle
+import signal
 import subprocess
 import sys
 import threading
@@ -340,6 +341,24 @@ def run(*arguments):
     """python3 -m circumspect."""
     return subprocess.run([sys.executable, "-m", "circumspect", *map(str, arguments)], capture_output=True, text=True,
                           check=False)
+
+
+@pytest.mark.parametrize("words, is_passed_on", [
+    (["check", "x.ele"], True), (["campaign", "--", "x.xdmf"], True), (["check", "x.npz"], True), (["--version"], True), ([], True),
+    (["check", "x.ele", "y.xdmf"], False), (["check", "--claim", "cdt", "x.exo"], False),
+])
+def test_words_for_the_command(words, is_passed_on, monkeypatch):
+    """What pip installs has the command in it, which gets all words but those about files that only meshio reads."""
+    program = importlib.import_module("circumspect.__main__")
+    monkeypatch.setattr(circumspect._core, "command", lambda given: given[1:] == words and 17, raising=False)
+    monkeypatch.setattr(program, "judged_here", lambda given: given == words and 18)
+    before = signal.getsignal(signal.SIGINT)
+    try:
+        assert program.main(words) == (17 if is_passed_on else 18)
+        assert (signal.getsignal(signal.SIGINT) == signal.SIG_DFL) == is_passed_on  # as any program does
+    finally:
+        signal.signal(signal.SIGINT, before)
+        signal.signal(signal.SIGPIPE, signal.SIG_IGN)
 
 
 def test_command(tmp_path):

@@ -60,7 +60,7 @@ ARROWS = {
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "oracle/formats", "inputs"],
     "fuzz/harness": ["oracle/judge/arrays", "inputs"],
-    "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
+    "c": ["construct", "reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
           "inputs/triangulated"],
     "js": ["c"],
     "python": ["c", "fuzz/harness", "fuzz/campaign"],

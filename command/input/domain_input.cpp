@@ -256,8 +256,8 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
   DomainOptions filling = said;
-  // circumspect-verified knows the hull without holes alone.
-  if (!options.for_certificate && is_hull_with_holes(loaded, said)) {
+  loaded.is_hull_with_holes = is_hull_with_holes(loaded, said);
+  if (loaded.is_hull_with_holes) {
     enclose_hull(loaded);
     filling.fill = Fill::kEnclosed;
   }

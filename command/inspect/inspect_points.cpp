@@ -18,12 +18,6 @@
 namespace circumspect::cli {
 namespace {
 
-// The canonical Delaunay triangulation, and whether it is known to be the only one.
-struct Canonical {
-  Triangulation triangulation;
-  bool is_known_unique = false;
-};
-
 // What Definition 4.2 says of a set, as far as it was looked at.
 struct Genericity {
   enum class Answer { kGeneric, kNotGeneric, kUndecided } answer;
@@ -44,7 +38,8 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
 
 // An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size
 // of the set; the other balls take a look at every (k+2)-subset.
-Genericity genericity(const PointSet& points, const Canonical& canonical, std::size_t subsets) {
+Genericity genericity(const PointSet& points, const construct::CanonicalDelaunay& canonical,
+                      std::size_t subsets) {
   if (!canonical.is_known_unique) {
     const auto empty_ball =
         reference::cospherical_points_of_an_empty_ball(points, canonical.triangulation);
@@ -162,7 +157,7 @@ class Inspected {
     add_dimension();
     if (!add_answers()) return;
     if (wants(kGenericity) || wants(kSimplices)) {
-      const Canonical canonical = triangulated();
+      const construct::CanonicalDelaunay canonical = triangulated();
       if (wants(kGenericity)) add_genericity(canonical);
       if (wants(kSimplices)) add_counts(canonical.triangulation);
     }
@@ -216,15 +211,13 @@ class Inspected {
     return true;
   }
 
-  Canonical triangulated() {
+  construct::CanonicalDelaunay triangulated() {
     output_.begin("triangulating " + loaded_.name,
                   seconds_of_triangulating(points().size(), points().dimension()));
-    const auto fast = construct::canonical_delaunay(points(), output_.progress());
-    if (fast) return {fast->triangulation(), fast->is_unique};
-    return {reference::canonical_delaunay(points(), output_.progress())};
+    return construct::any_canonical_delaunay(points(), output_.progress());
   }
 
-  void add_genericity(const Canonical& canonical) {
+  void add_genericity(const construct::CanonicalDelaunay& canonical) {
     output_.begin("deciding whether " + loaded_.name + " is generic");
     const Genericity found = genericity(points(), canonical, options_.subsets);
     tell(genericity_text(mesh(), found));

@@ -75,15 +75,17 @@ std::optional<std::vector<Place>> in_order(const PointsOfDoubles& points) {
 }
 
 // For each point of a the one of b that it is, or −1; what has no other goes to `result`.
-std::vector<Vertex> matched(const PointsOfDoubles& a, const std::vector<Place>& places_of_a,
-                            const PointsOfDoubles& b, const std::vector<Place>& places_of_b,
-                            Difference& result) {
-  std::vector<Vertex> place_in_b(places_of_a.size(), -1);
-  auto of_a = places_of_a.begin();
-  auto of_b = places_of_b.begin();
-  while (of_a != places_of_a.end() || of_b != places_of_b.end()) {
-    const std::partial_ordering which = of_a == places_of_a.end() ? std::partial_ordering::greater
-                                        : of_b == places_of_b.end()
+// None if two points of one mesh have the same coordinates.
+std::optional<std::vector<Vertex>> matched(const PointsOfDoubles& a, const PointsOfDoubles& b,
+                                           Difference& result) {
+  const auto places_of_a = in_order(a), places_of_b = in_order(b);
+  if (!places_of_a || !places_of_b) return std::nullopt;
+  std::vector<Vertex> place_in_b(places_of_a->size(), -1);
+  auto of_a = places_of_a->begin();
+  auto of_b = places_of_b->begin();
+  while (of_a != places_of_a->end() || of_b != places_of_b->end()) {
+    const std::partial_ordering which = of_a == places_of_a->end() ? std::partial_ordering::greater
+                                        : of_b == places_of_b->end()
                                             ? std::partial_ordering::less
                                             : order(a, of_a->point, b, of_b->point);
     if (which < 0) {
@@ -140,12 +142,10 @@ std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
     if (!equal_points(a).empty() || !equal_points(b).empty()) return std::nullopt;
     return difference(exact(a), exact(b));
   }
-  const auto places_of_a = in_order(*points_of_a);
-  const auto places_of_b = in_order(*points_of_b);
-  if (!places_of_a || !places_of_b) return std::nullopt;
   Difference result;
-  const auto place_in_b = matched(*points_of_a, *places_of_a, *points_of_b, *places_of_b, result);
-  CellDifference cells = difference_of(a, b, place_in_b);
+  const auto place_in_b = matched(*points_of_a, *points_of_b, result);
+  if (!place_in_b) return std::nullopt;
+  CellDifference cells = difference_of(a, b, *place_in_b);
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
   result.b_has_too = std::move(cells.b_has_too);
