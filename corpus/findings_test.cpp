@@ -1,6 +1,7 @@
 // Replays findings/: the mesh that each program wrote is judged against what it was given, and
 // breaks the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs
 // them.
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -9,8 +10,10 @@
 
 #include "corpus/domain_table.hpp"
 #include "inputs/cases.hpp"
+#include "oracle/formats/voronoi_file.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
+#include "oracle/judge/voronoi/judge_voronoi.hpp"
 
 namespace circumspect::corpus {
 namespace {
@@ -74,11 +77,40 @@ std::string rule_of_points(const FindingRow& row) {
       check::judge_exactly(*claim_about_points(row), mesh, nullptr, {.max_violations = 1}));
 }
 
+// How far cells may be off: "1e-6x" is a multiple of the longest side of the box of the sites.
+Rational distance_of(const std::string& text, const std::vector<Point>& sites) {
+  Rational longest = 0;
+  for (std::size_t axis = 0; axis < sites.front().size(); ++axis) {
+    const auto [low, high] =
+        std::minmax_element(sites.begin(), sites.end(),
+                            [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; });
+    longest = std::max<Rational>(longest, (*high)[axis] - (*low)[axis]);
+  }
+  REQUIRE(text.ends_with("x"));
+  return read_number(text.substr(0, text.size() - 1), NumberReading::kDecimal).value() * longest;
+}
+
+std::string rule_of_diagram(const FindingRow& row) {
+  const std::vector<Point> sites = points_of(row).points.points.points();
+  const auto source = formats::load(row.mesh);
+  REQUIRE(source);
+  const auto file = formats::read_voronoi(*source, NumberReading::kDouble);
+  REQUIRE(file);
+  const Rational distance = distance_of(row.claim.at(1), sites);
+  const VoronoiDiagram diagram{PointSet(sites), file->vertices, file->cells, file->neighbors};
+  return first_rule(check::judge_voronoi(diagram, {}, distance * distance, false, 1));
+}
+
 std::string rule_of_domain(const FindingRow& row) {
   const DomainKind kind = row.claim.back() == "hull" ? DomainKind::kHull : DomainKind::kEnclosed;
   return first_rule(check::judge_domain(claim_about_a_domain(row.claim.at(0)),
                                         mesh_with_faces(row.mesh), domain_of(row.input, kind),
                                         {.max_violations = 1}));
+}
+
+std::string rule_of(const FindingRow& row) {
+  if (row.claim.at(0) == "voronoi") return rule_of_diagram(row);
+  return is_about_points(row) ? rule_of_points(row) : rule_of_domain(row);
 }
 
 }  // namespace
@@ -88,7 +120,7 @@ TEST_CASE("each mesh that was found breaks the rule that it was found for") {
   for (const FindingRow& row : finding_rows()) {
     INFO(row.text);
     if (row.mesh.empty()) continue;
-    CHECK((is_about_points(row) ? rule_of_points(row) : rule_of_domain(row)) == row.outcome);
+    CHECK(rule_of(row) == row.outcome);
     ++judged;
   }
   CHECK(judged >= 10);

@@ -67,6 +67,8 @@ def command_lines():
         if mesh == "-":
             continue
         about = f" --domain findings/{points} --domain-kind {kind[0]}" if kind else f" --points findings/{points}"
+        if claim == "voronoi":
+            about = f" --points findings/{points} --within {kind[0]}"
         lines += in_both_formats(f"check findings/{mesh}{about} --claim {claim}")
     for arguments, _, _ in rows("domains/written/written.tsv"):
         words = [f"domains/{word}" if word.startswith("written/") else word for word in arguments.split()]

@@ -71,6 +71,22 @@ def edges_meet(one, other):
     return max(one[0], other[0]) < min(one[1], other[1])
 
 
+def triangles_meet(one, other):
+    """In space, in more than what they have in common: an edge of one goes through the other, or both are in one plane and overlap there."""
+    if any(orientation([*one, p]) for p in other):
+        return any(crosses(edge, b) for a, b in ((one, other), (other, one)) for edge in itertools.combinations(a, 2))
+    u, v = ([x - y for x, y in zip(p, one[0])] for p in one[1:])
+    axis = next(k for k in range(3) if u[k - 2] * v[k - 1] != u[k - 1] * v[k - 2])
+    return interiors_meet(*([p[:axis] + p[axis + 1:] for p in body] for body in (one, other)))
+
+
+def crosses(edge, triangle):
+    """Goes an edge through the inside of a triangle?"""
+    p, q = edge
+    around = [orientation([p, q, a, b]) for a, b in zip(triangle, triangle[1:] + triangle[:1])]
+    return orientation([*triangle, p]) * orientation([*triangle, q]) < 0 and (min(around) > 0 or max(around) < 0)
+
+
 def is_hull_broken(rule, points, facets):
     """Of a list of facets: edges in the plane, triangles in space."""
     if rule == "triangulation.unknown-vertex":
@@ -87,8 +103,9 @@ def is_hull_broken(rule, points, facets):
         return any(all(orientation(body + [p]) == 0 for p in points) for body in bodies)
     if rule == "complex.duplicate-simplex":
         return len({tuple(sorted(f)) for f in facets}) < len(facets)
-    if rule == "complex.overlap":  # of edges in the plane
-        return any(edges_meet(*([points[v] for v in f] for f in pair)) for pair in itertools.combinations(facets, 2))
+    if rule == "complex.overlap":  # of edges in the plane, or of triangles in space
+        meet = edges_meet if len(points[0]) == 2 else triangles_meet
+        return any(meet(*([points[v] for v in f] for f in pair)) for pair in itertools.combinations(facets, 2))
     assert rule == "hull.uncovered", rule
     ridges = Counter(ridge for f in facets for ridge in itertools.combinations(sorted(f), len(points[0]) - 1))
     return not facets or any(count == 1 for count in ridges.values())
@@ -131,6 +148,52 @@ def is_broken(rule, points, simplices):
                for (s, a), (t, _) in itertools.permutations(zip(simplices, bodies), 2))
 
 
+def cut(polygon, normal, offset):
+    """What of a convex polygon has normal·x <= offset."""
+    kept = []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+        a, b = (sum(n * x for n, x in zip(normal, r)) - offset for r in (p, q))
+        kept += [p] * (a <= 0)
+        if a * b < 0:
+            kept.append([x + a / (a - b) * (y - x) for x, y in zip(p, q)])
+    return kept
+
+
+def squared_distance(point, polygon):
+    """From a convex polygon whose corners are in their order; 0 inside."""
+    sides = [orientation([p, q, point]) for p, q in zip(polygon, polygon[1:] + polygon[:1])]
+    if len(polygon) > 2 and (min(sides) >= 0 or max(sides) <= 0):
+        return 0
+    least = []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+        along, off = [y - x for x, y in zip(p, q)], [y - x for x, y in zip(p, point)]
+        length = sum(x * x for x in along)
+        t = min(max(sum(x * y for x, y in zip(along, off)) / length, 0), 1) if length else 0
+        least.append(sum((y - t * x) ** 2 for x, y in zip(along, off)))
+    return min(least)
+
+
+def is_diagram_broken(rule, sites, path, within):
+    """Of cells in the plane that are clipped at the box of the sites, enlarged by half its longest side; a point is enlarged by 1."""
+    rows = [line.split() for line in path.read_text().splitlines()]
+    vertices = [[Fraction(float(x)) for x in row] for row in rows[2:2 + int(rows[1][0])]]
+    cells = [[vertices[int(v)] for v in row[1:]] for row in rows[2 + len(vertices):2 + len(vertices) + len(sites)]]
+    if rule == "voronoi.cell-missing":
+        return any(not cell for cell in cells)
+    assert rule == "voronoi.cell-differs", rule
+    low, high = ([f(axis) for axis in zip(*sites)] for f in (min, max))
+    side = max(h - l for l, h in zip(low, high))
+    (x0, y0), (x1, y1) = ([x + sign * (side / 2 or 1) for x in corner] for sign, corner in ((-1, low), (1, high)))
+    for site, cell in zip(sites, cells):
+        exact = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+        for other in sites:
+            if other != site:
+                exact = cut(exact, [2 * (y - x) for x, y in zip(site, other)], sum(y * y - x * x for x, y in zip(site, other)))
+        if cell and max([squared_distance(p, cell) for p in exact] + [squared_distance(p, exact) for p in cell]) > (within * side) ** 2:
+            return True
+    return False
+
+
 def numbers(path):
     lines = [line.split() for line in path.read_text().splitlines()]
     return lines[1:1 + int(lines[0][0])], lines[0]
@@ -138,11 +201,16 @@ def numbers(path):
 
 def main(names):
     rows = [line.split("\t") for line in (FINDINGS / "expected.tsv").read_text().splitlines()]
-    rows = [row for row in rows if row[5].startswith("hunt.py ") and row[1] in ("delaunay", "convex-hull") and row[4] != "-" and (not names or row[0] in names)]
+    rows = [row for row in rows if row[5].startswith("hunt.py ") and row[1].split()[0] in ("delaunay", "convex-hull", "voronoi") and row[4] != "-" and (not names or row[0] in names)]
     wrong = 0
     for name, claim, rule, points, mesh, _ in rows:
         given, header = numbers(FINDINGS / points)
         points = [[Fraction(float(x)) for x in line[1:1 + int(header[1])]] for line in given]
+        if claim.startswith("voronoi "):
+            if not is_diagram_broken(rule, points, FINDINGS / mesh, Fraction(claim.split()[1].rstrip("x"))):
+                wrong += 1
+                print(f"{name}: {rule} is not broken")
+            continue
         simplices = [list(map(int, line[1:])) for line in numbers(FINDINGS / mesh)[0]]
         if not (is_hull_broken if claim == "convex-hull" else is_broken)(rule, points, simplices):
             wrong += 1

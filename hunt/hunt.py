@@ -30,7 +30,7 @@ RUN_COLUMNS = ("target", "dimension", "regime", "date", "seconds", "cases", "hol
 # anything scaled.
 FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
 # All others are about domains.
-POINT_CLAIMS = {"delaunay", "triangulation", "convex-hull"}
+POINT_CLAIMS = {"delaunay", "triangulation", "convex-hull", "voronoi"}
 # These reserve much address space.
 VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
 # Points of which some are flat or cospherical up to this share of their extent and not exactly, or
@@ -77,7 +77,7 @@ def answer_once(row, builds, path, others=None):
     with other arguments if some are given. The exit code tells how it ended otherwise."""
     path = Path(path)
     command = command_of(row, builds)
-    command = [word.replace("{domain}", path.name) for word in (command if others is None else [command[0], *shlex.split(others)])]
+    command = [word.replace("{domain}", path.name).replace("{points}", path.name) for word in (command if others is None else [command[0], *shlex.split(others)])]
     points = points_of(path) if path.suffix == ".node" else []
     given = case_of(points) if points else path.read_text() if path.suffix == ".case" else ""
     try:
@@ -88,6 +88,9 @@ def answer_once(row, builds, path, others=None):
     if not points or ended.returncode != 0 or not ended.stdout or ended.stdout.startswith("error"):
         print((ended.stdout + ended.stderr).strip())
         return 128 - ended.returncode if ended.returncode < 0 else ended.returncode or int(bool(points))
+    if row["claim"] == "voronoi":
+        path.with_suffix(".qvoronoi").write_text(ended.stdout)
+        return 0
     rows = ended.stdout.splitlines()
     numbered = [f"{i} {row}" for i, row in enumerate(rows[1:1 + int(rows[0])])]
     path.with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(numbered[0].split()) - 1 if numbered else len(points[0]) + 1} 0", *numbered]) + "\n")

@@ -132,7 +132,7 @@ def page():
 
 def add_columns(corpus, arguments):
     for row in targets():
-        if row["claim"] not in POINT_CLAIMS - {"convex-hull"} or arguments.target and row["target"] not in arguments.target:
+        if row["claim"] not in POINT_CLAIMS - {"convex-hull", "voronoi"} or arguments.target and row["target"] not in arguments.target:
             continue
         if not is_here(row, arguments.builds):
             print(f"{row['target']}: is not here", flush=True)

@@ -20,6 +20,12 @@
 namespace circumspect::cli {
 namespace {
 
+// Whether coordinates of points are left out.
+Asked columns_of(const CheckOptions& options) {
+  const bool is_dropped = options.input.dropped.has_value();
+  return {is_dropped || options.input.dimension, is_dropped ? "--drop" : "--dimension"};
+}
+
 // What needs the whole mesh in memory.
 std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
   const Asked memory{options.memory.has_value(), "--memory"};
@@ -32,6 +38,7 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
            {options.input.neighbors, "--neighbors"},
            {!options.input.kept_labels.empty(), "--keep-label"},
            {options.input.dropped.has_value(), "--drop"},
+           {options.input.dimension.has_value(), "--dimension"},
            {options.input.allow_empty, "--allow-empty"},
            {options.input.duplicates == Duplicates::kMerge, "--duplicates merge"},
            {options.input.coordinates != NumberReading::kDouble, "--coordinates decimal"},
@@ -84,7 +91,6 @@ std::string usage_fault(CheckOptions& options) {
   const Asked demanded{!options.check.quality.empty(), "--require"};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
-  const Asked dropped{options.input.dropped.has_value(), "--drop"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
@@ -116,7 +122,8 @@ std::string usage_fault(CheckOptions& options) {
                  "say how far vertices may be from one plane"),
       contradiction(neighbors, labels, "a .neigh file is about all cells"),
       contradiction(certificate, labels, "a certificate is about all cells of a file"),
-      contradiction(certificate, dropped, "a certificate is about the points of a file"),
+      contradiction(certificate, columns_of(options),
+                    "a certificate is about the points of a file"),
       {certificate.is_given && options.meshes.size() != 1,
        fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size())},
       {options.certificate == "-",

@@ -39,6 +39,7 @@ void add_complex_options(CLI::App& command, ComplexOptions& options) {
                 "the claim complex, --oriented=positive and --oriented=negative demand a sign of "
                 "det[p1-p0; ...; pd-p0]")
       ->check(one_of_words({"same", "positive", "negative"}))
+      ->multi_option_policy(CLI::MultiOptionPolicy::Join)  // a line each
       ->option_text("[=same|positive|negative]");
   ComplexDemands& demands = options.demands;
   command.add_flag("--manifold", demands.manifold,
@@ -60,6 +61,9 @@ void add_complex_options(CLI::App& command, ComplexOptions& options) {
 std::string settle_complex_options(const ComplexOptions& options, std::optional<Claim> claim,
                                    check::Options& check) {
   check.complex = options.demands;
+  if (options.oriented.find('\n') != std::string::npos) {
+    return "expected --oriented once, found it several times: no simplex has two orientations";
+  }
   check.complex.oriented = orientations(options.oriented);
   check.complex.allow_hanging = !options.allowed.empty();
   if (claim != Claim::kComplex) {

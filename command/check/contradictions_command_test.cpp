@@ -41,6 +41,12 @@ struct Corner {
 
 }  // namespace
 
+TEST_CASE("check: two orientations contradict each other") {
+  const Corner corner;
+  corner.contradict({"--claim", "complex", "--oriented=positive"}, {"--oriented=negative"});
+  corner.contradict({"--oriented"}, {"--oriented=positive"});
+}
+
 TEST_CASE("check --memory refuses every question that needs the whole mesh") {
   const Corner corner;
   const Words memory = {"--memory", "64M"};
@@ -51,6 +57,7 @@ TEST_CASE("check --memory refuses every question that needs the whole mesh") {
                                                          {"--require", "edge:9"},
                                                          {"--neighbors"},
                                                          {"--keep-label", "1"},
+                                                         {"--dimension", "2"},
                                                          {"--allow-empty"},
                                                          {"--duplicates", "merge"},
                                                          {"--coordinates", "decimal"},

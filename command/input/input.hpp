@@ -66,10 +66,10 @@ struct DomainFrame {
 
 // Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
 // weights asked for and not there; neighbours asked for and not there; a coordinate to leave out of
-// a mesh that is not of space, or has tetrahedra; points with fewer coordinates than asked for. Equal points are left to judges and to
-// settle_equal_points. `frame`: of the domain that the mesh is held against, if it is. Then what
-// formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many
-// as the machine has.
+// a mesh that is not of space, or has tetrahedra; points with fewer coordinates than asked for.
+// Equal points are left to judges and to settle_equal_points. `frame`: of the domain that the mesh
+// is held against, if it is. Then what formats/mesh_files.hpp says under "What programs write
+// otherwise" is done. `threads`: 0: as many as the machine has.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads = 0,
                                                 const std::optional<DomainFrame>& frame = {});

@@ -45,7 +45,8 @@ code=0
 set -- $(field 2)
 claim=$1
 case $claim in
-  delaunay) of="--points $input" ;;
+  delaunay | convex-hull) of="--points $input" ;;
+  voronoi) of="--points $input --within $2" ;;
   *) of="--domain $input --domain-kind ${2:-enclosed}" ;;
 esac
 exec "${CIRCUMSPECT:-circumspect}" check "$given" --claim "$claim" $of

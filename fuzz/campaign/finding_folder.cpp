@@ -11,8 +11,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
+#include "fuzz/campaign/by_hand_script.hpp"
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/bytes/lines.hpp"
@@ -144,6 +146,8 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "adapter/       the scripts that its command names, if there are any\n"
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n"
+      "by-hand.py     shows what is wrong by rational arithmetic alone, if that is possible\n"
+      "versions.txt   of the program, as far as --about says, and of the machine\n"
       "issue.md       for the authors of the program; picture.svg is its picture, if it has one\n\n"
       "{}{}{}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
@@ -151,6 +155,16 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       outcome.image ? "image" + own + "     the small one changed, with which it fails\n\n" : "",
       subject.is_untidy ? "arranged.poly  what has to be meshed: cut where segments meet\n\n" : "",
       outcome.explanation);
+}
+
+// What whoever tries the finding ought to have, too.
+std::string versions(const Subject& subject) {
+  utsname system = {};
+  uname(&system);
+  return fmt::format("program: {}\nabout:   {}\nsystem:  {} {} {}\n",
+                     on_one_line(command_line(subject)),
+                     subject.about.empty() ? "not said (--about)" : on_one_line(subject.about),
+                     system.sysname, system.release, system.machine);
 }
 
 // The points as literals in the worker's language, which the name of one of its files tells;
@@ -310,7 +324,11 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   write_durably(folder + "/verdict.json", report::document_text(document));
   write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
   const std::string picture = witness_picture(outcome.verdict);
-  removed(folder + "/picture.svg");  // of the previous minimal input
+  const std::string by_hand = by_hand_script(outcome.verdict);
+  removed(folder + "/by-hand.py");
+  removed(folder + "/picture.svg");  // both of the previous minimal input
+  if (!by_hand.empty()) write_durably(folder + "/by-hand.py", by_hand);
+  write_durably(folder + "/versions.txt", versions(subject));
   if (!picture.empty()) write_durably(folder + "/picture.svg", picture);
   write_durably(folder + "/issue.md", issue(subject, minimal, outcome, !picture.empty()));
   write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));

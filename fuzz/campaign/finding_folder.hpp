@@ -28,8 +28,9 @@ std::string finding_folder(const std::string& output, const std::string& signatu
 void write_input(const std::string& folder, const Subject& subject, const Input& input);
 
 // Adds the smallest input (and its image, if the program fails on that), the program's output for
-// it, the verdict, README.txt, issue.md and reproduce.sh, and picture.svg if there is something to
-// see. `runner` has just run the program on it, with this outcome.
+// it, the verdict, README.txt, issue.md, versions.txt and reproduce.sh, by-hand.py if numbers show
+// what is wrong, and picture.svg if there is something to see. `runner` has just run the program on
+// it, with this outcome.
 void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
                    const Input& found, const Input& minimal, const Outcome& outcome,
                    const Runner& runner);

@@ -12,8 +12,8 @@ namespace {
 
 using Ring = std::vector<Vertex>;
 
-// Squares of half sides 4, 3, 2 and 1 around (0, 0), and a square beside the first; the rings of the
-// faces are named by these.
+// Squares of half sides 4, 3, 2 and 1 around (0, 0), and a square beside the first; the rings of
+// the faces are named by these.
 struct Squares {
   PiecewiseLinearInput input;
   std::vector<Ring> rings;

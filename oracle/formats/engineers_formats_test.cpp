@@ -1,4 +1,5 @@
-// Files of engineers' programs, SU2, Abaqus and AVS: what is read, what is refused, and the messages.
+// Files of engineers' programs, SU2, Abaqus and AVS: what is read, what is refused, and the
+// messages.
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"

@@ -43,16 +43,16 @@ TEST_CASE("rings: both formats name each vertex once, and know the line of each 
     CHECK(file->faces[1].lines == VertexLists{{1, 7, 8, 2}});
     // As they are turned, the common edge twice.
     CHECK(file->input.segments == VertexLists{{0, 1},
-                                        {1, 2},
-                                        {2, 3},
-                                        {3, 0},
-                                        {4, 5},
-                                        {5, 6},
-                                        {6, 4},
-                                        {1, 7},
-                                        {7, 8},
-                                        {8, 2},
-                                        {2, 1}});
+                                              {1, 2},
+                                              {2, 3},
+                                              {3, 0},
+                                              {4, 5},
+                                              {5, 6},
+                                              {6, 4},
+                                              {1, 7},
+                                              {7, 8},
+                                              {8, 2},
+                                              {2, 1}});
     const std::vector<std::size_t> of_json{3, 3, 3, 3, 4, 4, 4, 5, 5, 5, 5};
     const std::vector<std::size_t> of_text{1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2};
     CHECK(file->segment_lines == (is_json ? of_json : of_text));

@@ -11,8 +11,8 @@
 //     MARKER_ELEMS= 4                             their elements, likewise
 //     5 0 1 2
 //
-// Other keys, with the lines below them, are skipped. Several zones, NZONE= n and then IZONE= 1 …, have
-// indices of their own, and are read as one mesh with the zones as labels.
+// Other keys, with the lines below them, are skipped. Several zones, NZONE= n and then IZONE= 1 …,
+// have indices of their own, and are read as one mesh with the zones as labels.
 #pragma once
 
 #include <string_view>

@@ -10,8 +10,8 @@
 namespace circumspect::formats {
 
 // One geometry or several, with commas, semicolons or nothing between them. Polygons, triangles and
-// the faces of surfaces are faces; lines are segments and points are vertices. A third coordinate is
-// taken, a measure (M) is left out. EWKT's number of a reference system is skipped.
+// the faces of surfaces are faces; lines are segments and points are vertices. A third coordinate
+// is taken, a measure (M) is left out. EWKT's number of a reference system is skipped.
 Result<DomainFile> read_wkt(const Source& source, NumberReading reading);
 
 // Does a text begin with the name of a geometry?

@@ -1,0 +1,8 @@
+// Each cell has the half-edges around it; the library closes them at the box.
+import { load, write } from './cells.mjs';
+const { Voronoi } = (await load('voronoijs')).default;
+write((sites, [xl, yt, xr, yb]) => {
+  const given = sites.map(([x, y]) => ({ x, y }));
+  const diagram = new Voronoi().compute(given, { xl, xr, yt, yb });
+  return given.map(site => diagram.cells[site.id ?? site.voronoiId]?.halfedges.map(half => half.getStartpoint()).map(({ x, y }) => [x, y]));
+});
