@@ -309,6 +309,7 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   add_page_option(*command, options->html, steps);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_dimension_option(*command, options->input);
   add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, command, &exit_code] {

@@ -274,6 +274,13 @@ void note_further_holes(const LoadedDomain& loaded, Output& output) {
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
+  if (loaded.is_hull_with_holes) {
+    output.error(ExitCode::kUsage, "domain", loaded.name,
+                 fmt::format("{}: expected no hole seeds in the domain of a certificate that is a "
+                             "hull, found {}: nothing is proved of a hull with holes",
+                             loaded.name, loaded.domain.complex.hole_seeds.size()));
+    return false;
+  }
   note_further_holes(loaded, output);
   if (!verdict.holds()) {
     const auto refutation = certificate::domain_refutation_of(

@@ -30,10 +30,12 @@ struct InputOptions {
   bool faces = false;                      // read .face and .edge too, and their like
   std::vector<Vertex> kept_labels = {};    // --keep-label; empty: all
   std::optional<Axis> dropped = {};        // --drop: the coordinate that is left out
-  bool allow_empty = false;                // --allow-empty
-  bool weighted = false;                   // the claim or the construction is about weights
-  bool for_certificate = false;            // a certificate is about the numbers of the files
-  bool listed_weights = false;  // without being asked for, what a file calls weights (JSON) counts
+  // --dimension: how many numbers of each point are coordinates
+  std::optional<std::size_t> dimension = {};
+  bool allow_empty = false;      // --allow-empty
+  bool weighted = false;         // the claim or the construction is about weights
+  bool for_certificate = false;  // a certificate is about the numbers of the files
+  bool listed_weights = false;   // without being asked for, what a file calls weights (JSON) counts
 };
 
 void add_coordinates_option(CLI::App& command, InputOptions& options);
@@ -41,6 +43,7 @@ void add_duplicates_option(CLI::App& command, InputOptions& options);
 void add_allow_empty_option(CLI::App& command, InputOptions& options);
 void add_keep_label_option(CLI::App& command, InputOptions& options);
 void add_drop_option(CLI::App& command, InputOptions& options);
+void add_dimension_option(CLI::App& command, InputOptions& options);
 
 // A mesh as it was read, or one line that says what is wrong with the input.
 struct LoadedMesh {
@@ -63,7 +66,7 @@ struct DomainFrame {
 
 // Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
 // weights asked for and not there; neighbours asked for and not there; a coordinate to leave out of
-// a mesh that is not of space, or has tetrahedra. Equal points are left to judges and to
+// a mesh that is not of space, or has tetrahedra; points with fewer coordinates than asked for. Equal points are left to judges and to
 // settle_equal_points. `frame`: of the domain that the mesh is held against, if it is. Then what
 // formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many
 // as the machine has.
