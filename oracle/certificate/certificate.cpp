@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <limits>
 #include <numeric>
 
 #include "kernel/boxes/point_search.hpp"
+#include "kernel/complex/vertex_sets.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 
 namespace circumspect::certificate {
@@ -20,7 +22,10 @@ Lines& Lines::operator<<(std::string_view token) {
 }
 
 Lines& Lines::operator<<(const Integer& number) {
-  return *this << std::string_view(number.get_str());
+  if (!number.fits_slong_p()) return *this << std::string_view(number.get_str());
+  std::array<char, 24> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number.get_si()).ptr;
+  return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
 
 Lines& Lines::gap() {
@@ -126,31 +131,45 @@ std::vector<std::uint32_t> short_indices(std::span<const Vertex> vertices) {
 }
 
 // Matches the facets two by two; what is left over is the hull.
-void match_facets(Certificate& certificate) {
-  const std::size_t size = certificate.points.dimension + 1;
-  std::vector<FaceUse> uses;
-  uses.reserve(size * certificate.simplices.size());
-  std::array<std::uint32_t, 4> vertices{};
-  for (std::size_t s = 0; s < certificate.simplices.size(); ++s) {
-    std::copy_n(certificate.simplices[s].vertices.begin(), size, vertices.begin());
-    for (std::size_t place = 0; place < size; ++place) {
-      uses.push_back(face_use(std::span(vertices).first(size), s, place));
+template <std::size_t kSize>
+void match_facets_of(Certificate& certificate) {
+  std::vector<CertifiedSimplex>& simplices = certificate.simplices;
+  const VertexSets<kSize - 1> facets(certificate.points.size(), [&](const auto& visit) {
+    for (std::size_t s = 0; s < simplices.size(); ++s) {
+      for (std::size_t place = 0; place < kSize; ++place) {
+        typename VertexSets<kSize - 1>::Set facet;
+        for (std::size_t i = 0; i + 1 < kSize; ++i) {
+          facet[i] = static_cast<std::int32_t>(simplices[s].vertices[i < place ? i : i + 1]);
+        }
+        visit(facet, static_cast<std::int32_t>(s * kSize + place));
+      }
     }
-  }
-  for_each_face(uses, [&](std::span<const FaceUse> group) {
-    const FaceUse& use = group.front();
-    Across& across = certificate.simplices[use.cell].across[use.place];
+  });
+  facets.for_each_group([&](std::int32_t, auto group) {
+    const auto use_of = [](const auto& entry) {
+      const auto origin = static_cast<std::uint32_t>(entry.origin);
+      return Across{origin / std::uint32_t{kSize},
+                    static_cast<std::int32_t>(origin % std::uint32_t{kSize})};
+    };
+    const auto across = [&](const Across& use) -> Across& {
+      return simplices[use.cell].across[static_cast<std::size_t>(use.place)];
+    };
+    const Across use = use_of(group.front());
     if (group.size() == 1) {
-      across.cell = static_cast<std::uint32_t>(certificate.hull.size());
-      certificate.hull.push_back({use.cell, use.place});
+      across(use).cell = static_cast<std::uint32_t>(certificate.hull.size());
+      certificate.hull.push_back({use.cell, static_cast<std::uint32_t>(use.place)});
       return;
     }
     assert(group.size() == 2);
-    const FaceUse& other = group.back();
-    across = {other.cell, static_cast<std::int32_t>(other.place)};
-    certificate.simplices[other.cell].across[other.place] = {use.cell,
-                                                             static_cast<std::int32_t>(use.place)};
+    const Across other = use_of(group.back());
+    across(use) = other;
+    across(other) = use;
   });
+}
+
+void match_facets(Certificate& certificate) {
+  certificate.points.dimension == 2 ? match_facets_of<3>(certificate)
+                                    : match_facets_of<4>(certificate);
 }
 
 // The ridges of the hull lie in two hull facets each.
@@ -219,7 +238,7 @@ void choose_sample(Certificate& certificate) {
 Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points) {
   assert(!mesh.simplices.empty());
   assert(mesh.points.size() < std::numeric_limits<std::uint32_t>::max());
-  assert(mesh.simplices.size() < std::numeric_limits<std::uint32_t>::max());
+  assert(mesh.simplices.size() < std::size_t{1} << 29);  // facets are numbered
   Certificate certificate{claim, std::move(points)};
   certificate.order = lexicographic_order(certificate.points);
   certificate.simplices = positive_simplices(mesh, certificate.points);

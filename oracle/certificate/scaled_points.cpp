@@ -137,9 +137,41 @@ int Sidedness::sign_of_determinant() {
   return sign(determinant_);
 }
 
+bool Sidedness::has_enclosed_points() {
+  if (!enclosed_.empty() || ++calls_ <= points_.size()) return !enclosed_.empty();
+  enclosed_.reserve(points_.coordinates.size());
+  for (const Integer& x : points_.coordinates) enclosed_.push_back(enclosing(Rational(x)));
+  return !enclosed_.empty();
+}
+
+void Sidedness::enclose(const HomogeneousPoint& q) {
+  if (moved_to_.denominator == q.denominator && moved_to_.numerators == q.numerators) return;
+  moved_to_ = q;
+  for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+    Rational x(q.numerators[axis], q.denominator);
+    x.canonicalize();
+    enclosed_moved_[axis] = enclosing(x);
+  }
+}
+
+// 0: doubles do not tell.
+int Sidedness::certain_sign_of_determinant() const {
+  const auto& [a, b, c] = enclosed_rows_;
+  if (points_.dimension == 2) return certain_sign(cross_product(a, b)[2]);
+  return certain_sign(inner_product(a, cross_product(b, c)));
+}
+
 int Sidedness::orientation(std::span<const Vertex> simplex) {
   const std::size_t d = points_.dimension;
   assert(simplex.size() == d + 1);
+  if (has_enclosed_points()) {
+    for (std::size_t i = 0; i < d; ++i) {
+      for (std::size_t axis = 0; axis < d; ++axis) {
+        enclosed_rows_[i][axis] = enclosed(simplex[i], axis) - enclosed(simplex[d], axis);
+      }
+    }
+    if (const int sign = certain_sign_of_determinant(); sign != 0) return sign;
+  }
   for (std::size_t i = 0; i < d; ++i) {
     for (std::size_t axis = 0; axis < d; ++axis) {
       rows_[i][axis] = points_.coordinate(simplex[i], axis) - points_.coordinate(simplex[d], axis);
@@ -152,6 +184,18 @@ int Sidedness::orientation_with(std::span<const Vertex> simplex, std::size_t pla
                                 const HomogeneousPoint& q) {
   const std::size_t d = points_.dimension;
   assert(simplex.size() == d + 1);
+  if (has_enclosed_points()) {
+    enclose(q);
+    const auto at = [&](std::size_t i, std::size_t axis) {
+      return i == place ? enclosed_moved_[axis] : enclosed(simplex[i], axis);
+    };
+    for (std::size_t i = 0; i < d; ++i) {
+      for (std::size_t axis = 0; axis < d; ++axis) {
+        enclosed_rows_[i][axis] = at(i, axis) - at(d, axis);
+      }
+    }
+    if (const int sign = certain_sign_of_determinant(); sign != 0) return sign;
+  }
   for (std::size_t i = 0; i < d; ++i) {
     for (std::size_t axis = 0; axis < d; ++axis) {
       Integer& entry = rows_[i][axis];

@@ -1,6 +1,8 @@
 // Points over one scale, and the sides of facets.
 #include "oracle/certificate/scaled_points.hpp"
 
+#include <random>
+
 #include <doctest/doctest.h>
 
 namespace circumspect::certificate {
@@ -114,6 +116,37 @@ TEST_CASE("orientations in space, with a rational point in each place") {
   }
   CHECK(!sidedness.separating_place(simplex, 1, inside));
   CHECK(sidedness.separating_place(simplex, 1, beyond) == 0);
+}
+
+// A fresh one asks integers alone.
+TEST_CASE("orientations are the same whether doubles are asked first or not") {
+  std::mt19937_64 random(5);
+  std::size_t zeros = 0;
+  for (const std::size_t d : {2u, 3u}) {
+    for (int round = 0; round < 60; ++round) {
+      ScaledPoints points{d};
+      const int bits = round % 3 == 0 ? 2 : round % 3 == 1 ? 54 : 200;
+      for (std::size_t i = 0; i < 6 * d; ++i) {
+        Integer x = to_integer(static_cast<std::int64_t>(random() % 4));
+        x <<= static_cast<unsigned>(bits);
+        points.coordinates.push_back(x + to_integer(static_cast<std::int64_t>(random() % 2)));
+      }
+      Sidedness used(points);
+      for (int call = 0; call < 40; ++call) {
+        Simplex simplex;
+        for (std::size_t i = 0; i <= d; ++i) simplex.push_back(static_cast<Vertex>(random() % 6));
+        const int expected = Sidedness(points).orientation(simplex);
+        CHECK(used.orientation(simplex) == expected);
+        zeros += expected == 0 ? 1u : 0u;
+        const HomogeneousPoint q = barycentre(points, {simplex[0], simplex[1]});
+        const std::size_t place = random() % (d + 1);
+        CHECK(used.orientation_with(simplex, place, q) ==
+              Sidedness(points).orientation_with(simplex, place, q));
+      }
+    }
+  }
+  CHECK(zeros > 100);
+  CHECK(zeros < 4000);
 }
 
 TEST_CASE("separators: a way past a segment and a vertex, up to a vertex, and through a wall") {

@@ -101,6 +101,44 @@ TEST_CASE("grids with many facets that are not locally Delaunay: the words, the 
   }
 }
 
+TEST_CASE("many faulty ridges, most of which are counted alone: the words, the order, the count") {
+  std::mt19937 random(3);
+  for (const std::size_t dimension : {2u, 3u}) {
+    for (const long steps : {0L, 50L}) {
+      for (const unsigned one_in : {2u, 9u}) {
+        ExactMesh mesh = shaken_grid(dimension, dimension == 2 ? 9 : 4, false, steps);
+        std::erase_if(mesh.simplices, [&](const Simplex&) { return random() % one_in == 0; });
+        for (const std::size_t most : {0u, 1u, 3u, 20u}) {
+          const Verdict verdict = judged(Claim::kDelaunay, mesh, {.max_violations = most});
+          const Verdict exactly =
+              judge_exactly(Claim::kDelaunay, mesh, nullptr, {.max_violations = most});
+          for (const auto& [rule, tally] : verdict.tallies()) {
+            CHECK(tally.in_all == exactly.tallies().at(rule).in_all);
+          }
+          CHECK(verdict.course.fast);
+          CHECK(verdict.tallies().contains(Rule::kHullNotConvex));
+        }
+      }
+    }
+  }
+}
+
+// Two holes beside one vertex, which all that is wrong names.
+TEST_CASE("a vertex that every faulty ridge names is known where most are counted alone") {
+  ExactMesh mesh = shaken_grid(3, 4, false, 0);
+  std::erase_if(mesh.simplices, [](const Simplex& simplex) { return contains(simplex, 21); });
+  for (const std::size_t most : {0u, 1u, 5u}) {
+    const Verdict verdict = judged(Claim::kTriangulation, mesh, {.max_violations = most});
+    const Verdict exactly =
+        judge_exactly(Claim::kTriangulation, mesh, nullptr, {.max_violations = most});
+    REQUIRE(verdict.tallies().size() == exactly.tallies().size());
+    for (const auto& [rule, tally] : exactly.tallies()) {
+      CHECK(verdict.tallies().at(rule).in_all == tally.in_all);
+      CHECK(verdict.tallies().at(rule).count == tally.count);
+    }
+  }
+}
+
 TEST_CASE("one facet that is not locally Delaunay, in the midst of a mesh, by its own numbers") {
   ExactMesh mesh = shaken_grid(3, 5, false, 0);
   REQUIRE(judge_points(Claim::kDelaunay, mesh).holds());

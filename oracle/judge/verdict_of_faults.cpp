@@ -12,6 +12,7 @@
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
+#include "oracle/judge/ridges_retold.hpp"
 
 namespace circumspect::check {
 
@@ -194,6 +195,7 @@ class Retold {
         wrong_(wrong),
         first_index_(first_index),
         options_(options),
+        ridges_(whole, faults.ridges, options.max_violations),
         part_(whole, simplices(), further_points()),
         mesh_(part_.mesh(claim == Claim::kWeightedDelaunay && !whole.weights.empty())),
         verdict_(claim, options.max_violations) {}
@@ -229,7 +231,7 @@ class Retold {
     if (options_.oriented) take(faults_.turned);
     for (const auto& facets : faults_.overused) take_facets(facets);
     take_pairs(faults_.same_side);
-    for (const fast::FaultyRidge& ridge : faults_.ridges) take_facets(ridge.facets);
+    for (const fast::FaultyRidge* const ridge : ridges_.shown) take_facets(ridge->facets);
     take_facets(faults_.beyond);
     take(faults_.covering);
     for (const WrongLink& link : wrong_) {
@@ -287,10 +289,10 @@ class Retold {
   void judge_boundary() {
     std::vector<fast::FacetId> facets = faults_.beyond;
     std::set<Simplex> faulty;
-    for (const fast::FaultyRidge& ridge : faults_.ridges) {
-      facets.insert(facets.end(), ridge.facets.begin(), ridge.facets.end());
+    for (const fast::FaultyRidge* const ridge : ridges_.shown) {
+      facets.insert(facets.end(), ridge->facets.begin(), ridge->facets.end());
       Simplex vertices;
-      for (const std::int64_t v : ridge.vertices) vertices.push_back(part_.place_of(v));
+      for (const std::int64_t v : ridge->vertices) vertices.push_back(part_.place_of(v));
       faulty.insert(std::move(vertices));
     }
     std::sort(facets.begin(), facets.end());
@@ -306,6 +308,19 @@ class Retold {
     if (judge_ridges(mesh_, boundary, ridges, verdict_)) {
       judge_sample_point(mesh_, boundary, verdict_);
     }
+    for (const auto& ridge : ridges_.counted) count(ridge);
+  }
+
+  // Others have named what is in all of them: so what is not in the part cannot be.
+  void count(const RidgeFault<kDimension, Index>& ridge) {
+    const auto tally = verdict_.tallies().find(ridge.rule());
+    Simplex named;
+    if (tally != verdict_.tallies().end() && !tally->second.in_all.empty()) {
+      for (const Vertex v : ridge.named()) {
+        if (const Vertex own = part_.place_of(v); own >= 0) named.push_back(own);
+      }
+    }
+    verdict_.count(ridge.rule(), std::nullopt, named);
   }
 
   void add_wrong_neighbors() {
@@ -333,6 +348,7 @@ class Retold {
   const std::vector<WrongLink>& wrong_;
   Vertex first_index_;  // of the simplices
   const Options& options_;
+  RidgesRetold<kDimension, Index> ridges_;
   Part<kDimension, Index> part_;
   ExactMesh mesh_;
   Verdict verdict_;

@@ -20,12 +20,12 @@
 
 namespace circumspect::fast {
 
-// Are two boundary facets at a ridge neither at a reflex angle nor folded? Each is given as a row
+// Do two boundary facets at a ridge make a reflex angle, or are they folded? Each is given as a row
 // of its simplex: the vertices of the ridge, in the same order for both, then the facet's vertex
 // off the ridge, then the simplex's vertex off the facet. Requires: no row is flat.
 template <std::size_t kDimension>
-bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimension>& b,
-                           Stages& stages) {
+conditions::AtRidge at_hinge(const SiteRow<kDimension>& a, const SiteRow<kDimension>& b,
+                             Stages& stages) {
   constexpr std::size_t kFar = kDimension - 1, kApex = kDimension;
   // On which side of the facet of a row is the far vertex of the other row? 1: on the side of its
   // simplex.
@@ -40,8 +40,12 @@ bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimensio
            orientation_with<kDimension>(a, kFar, b[kFar], stages);
   };
   return conditions::at_ridge(
-             2, [&] { return side(a, b); }, [&] { return side(b, a); }, are_folded) ==
-         conditions::AtRidge::kGood;
+      2, [&] { return side(a, b); }, [&] { return side(b, a); }, are_folded);
+}
+template <std::size_t kDimension>
+bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimension>& b,
+                           Stages& stages) {
+  return at_hinge<kDimension>(a, b, stages) == conditions::AtRidge::kGood;
 }
 
 template <std::size_t kDimension, typename Index, typename Link>
