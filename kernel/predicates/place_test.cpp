@@ -85,6 +85,16 @@ TEST_CASE("P1: a vertex lies in a simplex iff its barycentric coordinates say so
   }));
 }
 
+TEST_CASE("P1: a vertex beside the plane of a triangle is not in it, along whichever axis") {
+  const std::array<Vertex, 3> triangle = {0, 1, 2};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 1, 1}};
+    for (Point& point : points) std::swap(point[axis], point[2]);
+    CHECK(lies_in(Configuration(points), triangle, 3));
+    CHECK_FALSE(lies_in(Configuration(points), triangle, 4));
+  }
+}
+
 TEST_CASE("P2: a vertex of a closed simplex lies inside exactly one of its faces") {
   CHECK(generators::holds_for_simplices(1, 3, [](const auto& set, const auto scaling) {
     const generators::Scene scene = generators::scene(set, scaling);
