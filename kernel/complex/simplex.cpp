@@ -21,6 +21,11 @@ Simplex facet_opposite(const Simplex& simplex, std::size_t place) {
   return facet;
 }
 
+Simplex with_apex(Simplex facet, Vertex apex) {
+  facet.push_back(apex);
+  return facet;
+}
+
 Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex) {
   simplex[place] = vertex;
   return simplex;

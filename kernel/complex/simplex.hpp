@@ -23,6 +23,9 @@ Simplex sorted(Simplex simplex);
 // The facet opposite vertex number `place`: all other vertices, in their order.
 Simplex facet_opposite(const Simplex& simplex, std::size_t place);
 
+// The simplex that joins a facet to an apex, which becomes its last vertex.
+Simplex with_apex(Simplex facet, Vertex apex);
+
 // The simplex with vertex number `place` replaced.
 Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex);
 

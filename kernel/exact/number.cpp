@@ -128,7 +128,7 @@ bool scan_number(std::string_view rest, Scan& scan) {
   return rest.empty();
 }
 
-Integer power(unsigned long base, unsigned long exponent) {
+Integer integer_power(unsigned long base, unsigned long exponent) {
   Integer result;
   mpz_ui_pow_ui(result.get_mpz_t(), base, exponent);
   return result;
@@ -144,7 +144,7 @@ Result exact_from_scan(const Scan& scan) {
   if (scan.negative) mantissa = -mantissa;
   const long exponent = scan.exponent - (scan.hexadecimal ? 4 : 1) * scan.fraction_digits;
   const unsigned long base = scan.hexadecimal ? 2 : 10;
-  const Integer scale = power(base, static_cast<unsigned long>(std::labs(exponent)));
+  const Integer scale = integer_power(base, static_cast<unsigned long>(std::labs(exponent)));
   if (exponent >= 0) return Rational(mantissa * scale);
   Rational value(mantissa, scale);
   value.canonicalize();

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/certificate/separators.hpp"
+
 namespace circumspect::certificate {
 
 namespace {

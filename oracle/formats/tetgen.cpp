@@ -1,6 +1,5 @@
 #include "oracle/formats/tetgen.hpp"
 
-#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

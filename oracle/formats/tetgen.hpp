@@ -10,7 +10,7 @@
 
 #include "kernel/exact/number.hpp"
 #include "kernel/predicates/configuration.hpp"
-#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/numbered_lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
 

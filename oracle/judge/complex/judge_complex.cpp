@@ -17,13 +17,6 @@ NamedValue named(const char* name, std::size_t value) {
   return {name, Rational(static_cast<long>(value))};
 }
 
-// Each once.
-Simplex ascending(Simplex vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
-
 // Turns what was found into a verdict, whoever found it.
 class Said {
  public:
@@ -63,7 +56,7 @@ class Said {
       if (!verdict_.keeps_more()) {
         Simplex both = listed_.simplices[i];
         both.insert(both.end(), listed_.simplices[j].begin(), listed_.simplices[j].end());
-        verdict_.count(Rule::kOverlap, std::nullopt, ascending(std::move(both)));
+        verdict_.count(Rule::kOverlap, std::nullopt, std::move(both));
         continue;
       }
       Witness witness = of_places({i, j});

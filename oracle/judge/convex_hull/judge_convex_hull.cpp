@@ -111,8 +111,7 @@ class HullJudge {
   void add_not_supporting(std::size_t facet, const Simplex& two) {
     Witness witness{.simplices = {listed_.simplices[facet]}, .vertices = two};
     for (const Vertex q : two) {
-      Simplex joined = listed_.simplices[facet];
-      joined.push_back(q);
+      const Simplex joined = with_apex(listed_.simplices[facet], q);
       const Configuration& points = points_.configuration();
       witness.values.push_back({q == two[0] ? "orientation determinant of the facet and the first"
                                             : "orientation determinant of the facet and the second",

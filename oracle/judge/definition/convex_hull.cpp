@@ -26,9 +26,7 @@ ExactMesh part_in(const PointSet& points, const Face& of_hull, const std::vector
 std::optional<Simplex> on_both_sides(const PointSet& points, const Simplex& facet) {
   std::optional<Vertex> first[2];
   for (Vertex q = 0; points.names(q); ++q) {
-    Simplex joined = facet;
-    joined.push_back(q);
-    const int side = orientation(points.configuration(), joined);
+    const int side = orientation(points.configuration(), with_apex(facet, q));
     if (side != 0 && !first[side > 0]) first[side > 0] = q;
   }
   if (!first[0] || !first[1]) return std::nullopt;

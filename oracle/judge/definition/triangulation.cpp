@@ -24,11 +24,7 @@ void judge_union_is_hull(const ExactMesh& mesh, Rule rule, Verdict& verdict) {
                                                [&](Vertex v) { return contains(other, v); });
     };
     if (std::any_of(mesh.simplices.begin(), mesh.simplices.end(), is_shared)) continue;
-    const auto with = [&](Vertex apex) {
-      Simplex joined = use.facet;
-      joined.push_back(apex);
-      return joined;
-    };
+    const auto with = [&](Vertex apex) { return with_apex(use.facet, apex); };
     const Simplex own = with(simplex[use.opposite]);
     for (Vertex q = 0; mesh.points.names(q); ++q) {
       if (orientation(points, with(q)) * orientation(points, own) >= 0) continue;

@@ -69,7 +69,7 @@ bool adds_to_count_only(const ExactMesh& mesh, Rule rule, const Simplex& simplex
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
   if (adds_to_count_only(mesh, rule, simplex, q, verdict)) {
-    verdict.count(rule, std::nullopt, sorted(with_apex(simplex, q)));
+    verdict.count(rule, std::nullopt, with_apex(simplex, q));
     return;
   }
   definition::add_in_ball(mesh.points, rule, simplex, facet, q, verdict);

@@ -12,11 +12,6 @@
 
 namespace circumspect::check {
 
-Simplex with_apex(Simplex facet, Vertex apex) {
-  facet.push_back(apex);
-  return facet;
-}
-
 BoundaryFacet boundary_facet(const ExactMesh& mesh, const FacetUse& use) {
   const Vertex apex = mesh.simplices[use.simplex][use.opposite];
   const int inner = orientation(mesh.points.configuration(), with_apex(use.facet, apex));
