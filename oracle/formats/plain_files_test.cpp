@@ -48,6 +48,7 @@ TEST_CASE("plain node: coordinates, the first attribute, the first index") {
   CHECK(bare->coordinates.values()[1] == 4);
   CHECK(bare->weights.rows() == 0);
   CHECK(answer_to_node("1 1 3 1\n0 1 2 3 4 5\n") == Answer::kSame);
+  CHECK(answer_to_node("+1 +1\n0 1\n") == Answer::kSame);  // one reader reads all headers
   CHECK(answer_to_node("0 3\n") == Answer::kSame);
   CHECK(answer_to_node("0 3") == Answer::kSame);
   CHECK(answer_to_node("1 1\n-7 1#\n#\n\n \t#") == Answer::kSame);
@@ -158,8 +159,8 @@ constexpr const char* kNoNodes[] = {"",
 TEST_CASE("what is not plain has no answer") {
   // Texts that the other reader accepts.
   for (const std::string text :
-       {"1 1\n0 1/3\n", "1 1\n0 0x1p3\n", "1 1\n0 +1\n", "1 1\n+0 1\n", "+1 1\n0 1\n",
-        "1 1 1\n0 1 1/2\n", "1 1 0 1\n0 1 +1\n", "1 1 0 1\n0 1 1234567890123456789\n",
+       {"1 1\n0 1/3\n", "1 1\n0 0x1p3\n", "1 1\n0 +1\n", "1 1\n+0 1\n", "1 1 1\n0 1 1/2\n",
+        "1 1 0 1\n0 1 +1\n", "1 1 0 1\n0 1 1234567890123456789\n",
         "1 1\n0000000000000000000 1\n"}) {
     CAPTURE(text);
     CHECK(read_node({"f", text}, NumberReading::kDouble));

@@ -5,12 +5,13 @@
 #include <charconv>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
+bool is_blank(char c) { return is_space(c) && c != '\n'; }
 
 void split(std::string_view line, char comment, std::vector<std::string_view>& tokens) {
   const char* at = line.data();
