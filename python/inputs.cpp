@@ -23,6 +23,7 @@
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace py = pybind11;
 

@@ -57,7 +57,7 @@ std::string statistics_text(const BuildOptions& options, const delaunay::Statist
       report::counted(statistics.walk_steps, "walk step"), statistics.conflict_tests);
 }
 
-// The points of a weighted set that are no vertices: submerged, or on the lower hull without being
+// The points of a weighted set that are not vertices: submerged, or on the lower hull without being
 // extreme.
 std::string not_vertices_text(const ExactMesh& mesh, const Triangulation& triangulation) {
   const std::vector<Vertex> unused = check::unused_points({mesh.points, triangulation.simplices()});

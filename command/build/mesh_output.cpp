@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "oracle/formats/json.hpp"
@@ -106,15 +107,15 @@ formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& 
   file.first_index = first_index_of_simplices(mesh, triangulation);
   file.neighbors_per_simplex = vertices_of_each(triangulation);
   for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
-    if (group.size() != 2) return;
+  for (const auto group : ByFacet(facet_uses(simplices))) {
+    if (group.size() != 2) continue;
     const auto link = [&](const FacetUse& from, const FacetUse& to) {
       file.neighbors[from.simplex][from.opposite] =
           static_cast<Vertex>(to.simplex) + file.first_index;
     };
     link(group[0], group[1]);
     link(group[1], group[0]);
-  });
+  }
   return file;
 }
 

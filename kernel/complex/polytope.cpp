@@ -17,7 +17,7 @@ using Axes = std::vector<std::size_t>;
 
 // On which side of the hyperplane through `basis` is q? Zero on it.
 int side(const PointSet& points, const Axes& axes, const Simplex& basis, Vertex q) {
-  return orientation(points.configuration(), axes, with_apex(basis, q));
+  return side_of_facet(points.configuration(), axes, basis, q);
 }
 
 // All members on the hyperplane through `basis`.

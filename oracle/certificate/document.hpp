@@ -28,7 +28,7 @@ struct Refutation {
 };
 
 // Of the rules that the verdict says are broken the first that can be shown. Linear in the mesh.
-// Nothing if all that is broken is no part of the claim: simplex.orientation,
+// Nothing if all that is broken is not part of the claim: simplex.orientation,
 // complex.wrong-neighbor.
 // Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that
 // is the dimension of their affine hull.
@@ -56,7 +56,7 @@ using Document = std::variant<Certificate, ComplexCertificate, RefutationWithPoi
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
 // people: other claims; points that span no plane or space (where the claim is not complex, or
-// fails), or have other dimensions; a verdict that fails for nothing but rules that are no part of
+// fails), or have other dimensions; a verdict that fails for nothing but rules that are not part of
 // the claim.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/json_events.hpp"
 
 namespace circumspect::formats {

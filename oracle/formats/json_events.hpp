@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/json.hpp"
 
 namespace circumspect::formats {

@@ -65,7 +65,7 @@ OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) 
 }
 
 // Calls `look(view)` for what depends on the simplices alone, if the fast engine sees them: numbers
-// that are no doubles are zeros in the view.
+// that are not doubles are zeros in the view.
 template <class Look>
 void look_at_simplices(const Mesh& mesh, const Look& look) {
   const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);

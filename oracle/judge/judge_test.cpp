@@ -12,6 +12,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
@@ -246,11 +247,11 @@ TEST_CASE("neighbours that are wrong are found fast, beside facets that are not 
     for (const Vertex first : {Vertex{0}, Vertex{1}}) {
       std::vector<std::vector<Vertex>> rows(mesh.simplices.size(),
                                             std::vector<Vertex>(dimension + 1, -1));
-      for_each_facet(facet_uses(mesh.simplices), [&](std::span<const FacetUse> uses) {
-        if (uses.size() != 2) return;
+      for (const auto uses : ByFacet(facet_uses(mesh.simplices))) {
+        if (uses.size() != 2) continue;
         rows[uses[0].simplex][uses[0].opposite] = static_cast<Vertex>(uses[1].simplex) + first;
         rows[uses[1].simplex][uses[1].opposite] = static_cast<Vertex>(uses[0].simplex) + first;
-      });
+      }
       for (const Vertex wrong : {Vertex{-1}, Vertex{-2}, Vertex{7}, Vertex{1} << 20}) {
         rows[9][1] = wrong;
         mesh.neighbors = Neighbors{rows, first};

@@ -35,8 +35,8 @@ Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& m
 // What judge_points() says of the mesh, word for word: the exact checkers look again, in their
 // order, at the places that are at fault, on no more of the mesh than they need. `neighbors`: those
 // that the mesh lists, if it does.
-// Nothing if the faults do not tell: weighted points of a triangulation that are no vertices,
-// neighbours that are no rows of a simplex's width, or no fault at all.
+// Nothing if the faults do not tell: weighted points of a triangulation that are not vertices,
+// neighbours that are not rows of a simplex's width, or no fault at all.
 // Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the faults are those that
 // fast::faults finds for the claim.
 template <std::size_t kDimension, typename Index>

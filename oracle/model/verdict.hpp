@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/claim.hpp"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/plain_number.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/exact_measure.hpp"
 #include "oracle/judge/quality/filtered.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "kernel/complex/by_facet.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/quality/enclosed_mesh.hpp"
 #include "oracle/judge/quality/exact_measure.hpp"
@@ -38,9 +40,9 @@ std::vector<Simplex> sound_simplices(const Mesh& mesh) {
 
 std::vector<Simplex> boundary_of(const std::vector<Simplex>& simplices) {
   std::vector<Simplex> boundary;
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
     if (uses.size() == 1) boundary.push_back(uses.front().facet);
-  });
+  }
   return boundary;
 }
 
@@ -93,7 +95,7 @@ Joined joined(const std::vector<Simplex>& simplices) {
   Joined found;
   // Each simplex once as it is listed, and once turned over.
   DisjointSets parts(simplices.size()), turned(2 * simplices.size());
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
     found.open_facets += uses.size() == 1 ? 1 : 0;
     found.is_branched |= uses.size() > 2;
     for (std::size_t i = 1; i < uses.size(); ++i) {
@@ -107,7 +109,7 @@ Joined joined(const std::vector<Simplex>& simplices) {
       turned.unite(2 * a, 2 * b + same);
       turned.unite(2 * a + 1, 2 * b + 1 - same);
     }
-  });
+  }
   for (std::size_t s = 0; s < simplices.size(); ++s) {
     found.parts += parts.find(s) == s ? 1 : 0;
     found.is_orientable &= turned.find(2 * s) != turned.find(2 * s + 1);

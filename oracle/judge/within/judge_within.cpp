@@ -6,6 +6,7 @@
 
 #include "kernel/complex/polytope.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
@@ -157,7 +158,7 @@ std::vector<bool> vertices_of(const ExactMesh& mesh, const PiecewiseLinearComple
   return std::move(places.used);
 }
 
-// The vertices of the mesh that are no image of a vertex of the domain.
+// The vertices of the mesh that are not the image of a vertex of the domain.
 void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
                         const ReachAnswer& answer, Verdict& verdict) {
   SteinerPoints count;

@@ -226,7 +226,7 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   };
   const std::size_t lowest = not_local();
   markers.of_triangles[upper_facets[0]] = 5;
-  CHECK(not_local() == lowest);  // one of them is no image
+  CHECK(not_local() == lowest);  // one of them is not an image
   markers.of_triangles[upper_facets[1]] = 6;
   CHECK(not_local() == lowest);
   markers.of_triangles[upper_facets[1]] = 5;
@@ -234,7 +234,7 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   for (const std::size_t opposite : {std::size_t{1}, std::size_t{3}}) {
     markers.of_triangles[sorted({low[0], low[2], low[opposite]})] = 5;
   }
-  CHECK(not_local() == lowest);  // all four are no image
+  CHECK(not_local() == lowest);  // none of the four is an image
   markers.of_polygons.assign(markers.of_polygons.size(), 0);
   CHECK(not_local() == lowest);
 }
@@ -420,7 +420,7 @@ TEST_CASE("within: in the plane the points on an edge of a convex hull are on it
        {{0, 7, 8}, {7, 6, 8}, {6, 5, 8}, {5, 4, 8}, {4, 3, 8}, {3, 2, 8}, {2, 1, 8}, {1, 0, 8}}},
       square};
   CHECK(both_answers(moved) == "holds 0");
-  // A vertex rounded in, one out: their triangles are no hull any more.
+  // A vertex rounded in, one out: their triangles are not a hull any more.
   moved.mesh = moved_vertex(moved.mesh, {4, 1}, {-bits(2), 0});
   moved.mesh = moved_vertex(moved.mesh, {0, 2}, {-bits(1), 0});
   CHECK(both_answers(moved) == "holds 2");
