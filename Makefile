@@ -23,7 +23,7 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
 .PHONY: build verified demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
-        coverage bench format clean deb dist fresh-root ports web web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
+        coverage bench format clean deb dist fresh-root ports wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
         deps-deb deps-bench deps-web
 
 deps: ; @cmake/packages.sh build demo proofs test browser bench web
@@ -86,6 +86,27 @@ npm: deps-web
 	@js/test.sh build/web
 	@echo "built $(CURDIR)/build/web/circumspect-oracle-*.tgz"
 
+# The Python package as a wheel that needs nothing but Python and NumPy, with the command in it, and the archive of its
+# sources, in build/wheel/dist; `wheel-root` installs the wheel into a bare Debian 13 and judges there.
+wheel: deps-verified
+	@cmake/packages.sh wheel
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED)-static
+	@JOBS=$(JOBS) packaging/wheel.sh build/wheel $(VERIFIED)-static $(PYTHONS)
+wheel-root:
+	@packaging/wheel_root_test.sh build/wheel/dist
+
+# The crate, tested against the C library, shared and as an archive.
+rust:
+	@cmake/packages.sh build rust
+	@JOBS=$(JOBS) rust/make.sh build/rust
+
+# All that a release consists of, with checksums, in build/published: docs/releasing.md.
+release:
+	@$(MAKE) --no-print-directory dist wheel
+	@$(MAKE) --no-print-directory npm rust
+	@$(MAKE) --no-print-directory deb
+	@packaging/release.sh build/published
+
 # Debian packages of the command, the libraries and the Python package, in build/deb; lintian looks at them.
 deb: deps-deb
 	@JOBS=$(JOBS) cmake/deb.sh build/deb
@@ -121,6 +142,7 @@ check: test-style
 	@mkdir -p build
 	@$(CONFIGURE) --preset release $(ALL_TESTS) >build/check.log || { cat build/check.log; exit 1; }
 	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) python3 tidy/check.py build/release --jobs $(JOBS)
+	@python3 properties/generated_mutants.py --untried
 
 # The proofs are compiled before the C++ sources: side by side, four compilers take turns on two processors and get in each
 # other's way. The browser is installed beside the compilers, and the sanitizers' build and its tests run beside the release's
@@ -166,10 +188,11 @@ test-sanitize-beside:
 	  { tail -n 100 build/sanitize.log; echo "the sanitizers' build or tests failed; all of it: build/sanitize.log" >&2; exit 1; }
 
 # The browser may still be on its way; the sanitizers' build links the release's archives of what handles
-# values alone. Clang compiles it in half the time when it does not optimize, which costs the tests less than that.
+# values alone. Clang compiles it in half the time when it does not optimize, which costs the tests less than that, and in a
+# sixth less without line numbers: a failure names functions, and `make soak-sanitize` their lines.
 SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=ON
 SETTINGS_sanitize := -DCIRCUMSPECT_SANITIZE_ALL=OFF -DCIRCUMSPECT_VALUES_FROM=$(CURDIR)/build/release \
-                     -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1 -D_GLIBCXX_ASSERTIONS"
+                     -DCMAKE_CXX_FLAGS_DEBUG="-O0 -D_GLIBCXX_ASSERTIONS"
 # Beside the release's tests, it is not to be configured twice at once.
 build-sanitize: $(if $(RELEASE_IS_BUILT),,build-release)
 build-release build-sanitize: build-%:
@@ -196,13 +219,14 @@ soak: deps-test
 
 # Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
 # Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md): with CHANGED=1 of the
-# files that are others than those that were tried, with FILES=oracle/judge/voronoi of some.
+# files that have changed since, with FILES=oracle/judge/voronoi of some; COUNT=100 tries so many.
 mutants: deps-test
 	@python3 properties/mutants.py build/mutants
 
 mutants-generated: deps-test
 	@cmake/packages.sh mutants
-	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES))
+	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES)) \
+	  $(if $(COUNT),--count $(COUNT))
 
 # The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, where the readers take many
 # times as many inputs a second; then what was kept, and some more, under the sanitizers.
@@ -244,7 +268,7 @@ coverage: deps-test
 
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }
-	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
+	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
 	@cmake --build --preset release --target bench -j $(JOBS)
 
 format: deps-test

@@ -8,8 +8,10 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import textwrap
 import unittest
 import xml.etree.ElementTree as xml
+import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 PEERS = HERE.parent / "corpus" / "peers" / "tetgen"
@@ -29,7 +31,7 @@ class Action(unittest.TestCase):
         given = {"COMMAND": COMMAND, "OUTPUT": str(self.folder / "output"), **inputs}
         env = {**os.environ, **{f"CIRCUMSPECT_{name}": value for name, value in given.items()},
                "GITHUB_OUTPUT": str(self.folder / "outputs"), "GITHUB_STEP_SUMMARY": str(self.folder / "summary"),
-               "RUNNER_TEMP": str(self.folder)}
+               "RUNNER_TEMP": str(self.folder), "RUNNER_TOOL_CACHE": str(self.folder / "tools")}
         ran = subprocess.run([HERE / "run.sh"], env=env, cwd=self.folder, text=True, capture_output=True, timeout=60)
         self.said = ran.stdout + ran.stderr
         return ran.returncode
@@ -103,6 +105,48 @@ class Action(unittest.TestCase):
             archive.add(os.path.realpath(COMMAND), "circumspect-1-linux/bin/circumspect")
         self.assertEqual(self.act(RUN="check", ARGUMENTS=GOOD, COMMAND="", TARBALL="circumspect.tar.gz"), 0, self.said)
 
+    def wheel(self):
+        """A wheel that calls the command."""
+        path = self.folder / "circumspect-0.1.0-py3-none-any.whl"
+        calls = f"import os, sys\n\n\ndef run():\n    os.execv({os.path.realpath(COMMAND)!r}, sys.argv)\n"
+        files = {"circumspect/__init__.py": "", "circumspect/__main__.py": calls,
+                 "circumspect-0.1.0.dist-info/METADATA": "Metadata-Version: 2.1\nName: circumspect\nVersion: 0.1.0\n",
+                 "circumspect-0.1.0.dist-info/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"}
+        with zipfile.ZipFile(path, "w") as archive:
+            for name, text in files.items():
+                archive.writestr(name, text)
+            archive.writestr("circumspect-0.1.0.dist-info/RECORD", "".join(f"{name},,\n" for name in files))
+        return path
+
+    def test_wheel(self):
+        """It is installed once."""
+        given = {"RUN": "check", "ARGUMENTS": GOOD, "COMMAND": "", "WHEEL": str(self.wheel())}
+        self.assertEqual(self.act(**given), 0, self.said)
+        self.assertIn("::group::Installing", self.said)
+        self.assertEqual(self.act(**given), 0, self.said)
+        self.assertNotIn("::group::", self.said)
+        self.assertIn("</html>", self.report("page.html"))
+        absent = str(self.folder / "absent.whl")
+        self.assertEqual(self.act(**{**given, "WHEEL": absent}), 2)
+        self.assertIn(f"expected a wheel that pip installs, found none for '{absent}'", self.said)
+        self.assertEqual(self.act(**{**given, "WHEEL": ""}), 2)
+        self.assertIn("expected a wheel, a tarball or a command", self.said)
+
+    def test_gitlab(self):
+        """The lines of the template, as its runner would run them where the command is installed."""
+        template = (HERE.parent / "docs" / "gitlab-ci.yml").read_text(encoding="utf-8")
+        script = textwrap.dedent(template[template.index("  script:\n"):template.index("  artifacts:")].partition("\n")[2])
+        lines = "\n".join(line.removeprefix("- ") for line in script.splitlines())
+        declared = dict(re.findall(r"^    (CIRCUMSPECT_\w+): (.*)$", template, re.M))
+        for mesh, code, junit in ((GOOD, 0, '"0"'), (BAD, 1, '"1"')):
+            env = {**os.environ, **declared, "CIRCUMSPECT_ARGUMENTS": mesh.strip("'"),
+                   "PATH": f"{os.path.dirname(os.path.realpath(COMMAND))}:{os.environ['PATH']}"}
+            ran = subprocess.run(["sh", "-ec", lines], env=env, cwd=self.folder, text=True, capture_output=True, timeout=60)
+            self.assertEqual(ran.returncode, code, ran.stdout + ran.stderr)
+            folder = self.folder / declared["CIRCUMSPECT_OUTPUT"]
+            self.assertIn(f"failures={junit}", (folder / "junit.xml").read_text())
+            self.assertTrue((folder / "report.sarif").exists() and (folder / "page.html").exists())
+
     def test_wrong_inputs(self):
         self.assertEqual(self.act(RUN="chek", ARGUMENTS=GOOD), 2)
         self.assertIn("expected 'check' or 'campaign' for the input 'run', found 'chek'", self.said)
@@ -126,6 +170,14 @@ class Action(unittest.TestCase):
         self.assertGreaterEqual(len(used), 4)
         for file, line in used:
             self.assertRegex(line, r"uses: [\w./-]+@[0-9a-f]{40} +# v\d+\.\d+\.\d+$", file)
+
+    def test_one_version(self):
+        """What is installed by its version is that of these sources."""
+        version = re.search(r"VERSION (\S+) LANGUAGES", (HERE.parent / "CMakeLists.txt").read_text())[1]
+        for file in ("action.yml", "docs/gitlab-ci.yml", "docs/pre-commit-config.yaml"):
+            named = re.findall(r"circumspect==([\w.]+)", (HERE.parent / file).read_text())
+            self.assertEqual(named, [version], file)
+        self.assertIn(f'\nversion = "{version}"\n', (HERE.parent / "rust" / "Cargo.toml").read_text())
 
     def test_the_action_passes_on_what_it_declares(self):
         action = (HERE.parent / "action.yml").read_text()

@@ -84,6 +84,12 @@ def import_seconds():
                for _ in range(ROUNDS))
 
 
+def orient_seconds():
+    """One call."""
+    corners = ((0.0, 0.0), (1.0, 0.25), (0.5, 1.0))
+    return least(lambda: [circumspect.orient(*corners) for _ in range(10_000)])[0] / 10_000
+
+
 def cases_per_second():
     """Cases that are drawn, triangulated by SciPy and judged, of up to 20 points in space."""
     calls = 0
@@ -111,7 +117,8 @@ def main(build, count):
     print(f"| SciPy's Delaunay triangulation of {count:,} points ({len(mesh.simplices):,} tetrahedra), `check` | "
           f"≤ 1.1 times the C++ call | {judged:.2f} s, {judged / call:.2f} times its {call:.2f} s |")
     print(f"| the same against SciPy's {made:.0f} s | ≤ 2 % | {100 * judged / made:.1f} % |")
-    print(f"| `import circumspect` | ≤ 0.15 s | {import_seconds():.3f} s |")
+    print(f"| `import circumspect` | ≤ 30 ms | {1e3 * import_seconds():.0f} ms |")
+    print(f"| `orient` of three points, as tuples of floats | ≤ 2 µs | {1e6 * orient_seconds():.2f} µs |")
     print(f"| a campaign against SciPy, of sets of up to 20 points in space, SciPy's time included | ≥ 500 cases a second | {cases_per_second():.0f} |")
 
 

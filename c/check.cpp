@@ -194,7 +194,7 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     if (named == Claim::kPeriodicDelaunay) judged = c::unfolded(judged, asked);
     std::optional<Domain> about;
     if (domain != nullptr) {
-      about.emplace(c::domain_of(*domain));
+      about.emplace(c::domain_of(*domain, asked.merge_equal_points != 0));
       if (judged.points() > 0 && judged.dimension() != about->complex.ambient_dimension()) {
         c::refuse_input(
             fmt::format("expected points of dimension {}, as those of the domain, found {}",

@@ -11,6 +11,7 @@
 
 #include "c/guard.hpp"
 #include "c/input.hpp"
+#include "construct/delaunay.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/constructions.hpp"
@@ -51,7 +52,7 @@ circumspect_status circumspect_delaunay(const circumspect_mesh* points,
     const Mesh mesh = c::points_of(points);
     c::refuse_equal_points(equal_points(mesh));
     const PointSet set = exact(mesh).points;
-    const Triangulation built = reference::canonical_delaunay(set);
+    const Triangulation built = construct::any_canonical_delaunay(set).triangulation;
     auto made = std::make_unique<circumspect_triangulation>();
     made->dimension = built.dimension();
     for (const Simplex& simplex : built.simplices()) made->add(positively_oriented(set, simplex));

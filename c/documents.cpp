@@ -9,6 +9,7 @@
 
 #include "c/guard.hpp"
 #include "c/input.hpp"
+#include "construct/delaunay.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/mesh_difference.hpp"
@@ -94,8 +95,10 @@ circumspect_status circumspect_inspect(const circumspect_mesh* points, int* uniq
     const PointSet set = exact(mesh).points;
     std::optional<Simplex> cospherical;
     if (!set.empty()) {
-      cospherical =
-          reference::cospherical_points_of_an_empty_ball(set, reference::canonical_delaunay(set));
+      const construct::CanonicalDelaunay canonical = construct::any_canonical_delaunay(set);
+      if (!canonical.is_known_unique) {
+        cospherical = reference::cospherical_points_of_an_empty_ball(set, canonical.triangulation);
+      }
     }
     c::require_memory_for_json();
     report::Json json = {{"points", count}, {"dimension", set.dimension()}};

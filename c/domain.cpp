@@ -2,6 +2,8 @@
 // it is filled.
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,8 @@
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/domain/filling.hpp"
+#include "oracle/domain/resolved.hpp"
+#include "oracle/domain/uncovered.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/report/text.hpp"
 
@@ -37,7 +41,6 @@ std::vector<PolygonLines> polygons_of(const circumspect_domain& domain) {
   require_count(domain.polygon_count, "polygons");
   std::vector<PolygonLines> polygons;
   if (domain.polygon_count == 0) return polygons;
-  if (domain.dimension == 2) refuse_call("expected no polygons in the plane, found some");
   const auto lines = starts_of(domain.polygon_starts, domain.polygon_count, "polygon_starts");
   const auto corners = starts_of(domain.line_starts, lines.back(), "line_starts");
   const auto all = array(domain.corners, product(corners.back(), 1, "corners"), "corners");
@@ -56,6 +59,10 @@ std::vector<PolygonLines> polygons_of(const circumspect_domain& domain) {
 
 void take_polygon_holes(const circumspect_domain& domain, std::vector<PolygonLines>& polygons) {
   require_count(domain.polygon_hole_count, "holes of polygons");
+  if (domain.dimension == 2 && domain.polygon_hole_count > 0) {
+    refuse_call(
+        "expected no hole seeds in polygons of the plane, whose rings bound the holes, found some");
+  }
   const auto size = static_cast<std::size_t>(domain.polygon_hole_count);
   const auto owners = array(domain.polygons_of_holes, size, "polygons_of_holes");
   const std::vector<Point> seeds =
@@ -70,15 +77,84 @@ void take_polygon_holes(const circumspect_domain& domain, std::vector<PolygonLin
   }
 }
 
-std::string breach_text(const std::vector<Breach>& breaches) {
+// In the plane polygons are no cells of the complex: their edges are.
+std::vector<PolygonLines> taken_for_rings(PiecewiseLinearInput& input) {
+  for (const PolygonLines& polygon : input.polygons) {
+    for (const std::vector<Vertex>& ring : polygon.lines) {
+      if (ring.size() < 3) {
+        refuse_call(fmt::format(
+            "expected rings of at least 3 corners in the plane, found one of {}", ring.size()));
+      }
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        input.segments.push_back({ring[i], ring[(i + 1) % ring.size()]});
+      }
+    }
+  }
+  return std::exchange(input.polygons, {});
+}
+
+// Each vertex, by its own index.
+std::vector<Vertex> own_indices(const PiecewiseLinearInput& input) {
+  std::vector<Vertex> indices(input.points.size());
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+void require_known_corners(const PiecewiseLinearInput& input) {
+  const auto require = [&](const std::vector<Vertex>& line) {
+    for (const Vertex v : line) {
+      if (v >= 0 && static_cast<std::size_t>(v) < input.points.size()) continue;
+      refuse_input(
+          fmt::format("expected corners among {} points, found {}", input.points.size(), v));
+    }
+  };
+  std::for_each(input.segments.begin(), input.segments.end(), require);
+  for (const PolygonLines& polygon : input.polygons) {
+    std::for_each(polygon.lines.begin(), polygon.lines.end(), require);
+  }
+}
+
+// Equal points become the first of them, and cells that vanish are left out.
+std::vector<Vertex> merge_equal_points(PiecewiseLinearInput& input) {
+  std::map<Point, Vertex> place_of;
+  std::vector<Vertex> place;
+  std::vector<Vertex> labels;
+  for (const Point& point : input.points) {
+    const auto next = static_cast<Vertex>(place_of.size());
+    const auto [known, is_new] = place_of.try_emplace(point, next);
+    if (is_new) labels.push_back(static_cast<Vertex>(place.size()));
+    place.push_back(known->second);
+  }
+  std::vector<Point> points(place_of.size());
+  for (const auto& [point, at] : place_of) points[static_cast<std::size_t>(at)] = point;
+  input.points = std::move(points);
+  const auto renumber = [&place](std::vector<Vertex>& line) {
+    for (Vertex& v : line) v = place[static_cast<std::size_t>(v)];
+    line.erase(std::unique(line.begin(), line.end()), line.end());
+    while (line.size() > 1 && line.front() == line.back()) line.pop_back();
+  };
+  std::for_each(input.segments.begin(), input.segments.end(), renumber);
+  std::erase_if(input.segments, [](const Simplex& segment) { return segment.size() < 2; });
+  for (PolygonLines& polygon : input.polygons) {
+    std::for_each(polygon.lines.begin(), polygon.lines.end(), renumber);
+  }
+  return labels;
+}
+
+std::string breach_text(const std::vector<Breach>& breaches, const std::vector<Vertex>& labels) {
+  const auto named = [&labels](std::vector<Vertex> vertices) {
+    for (Vertex& v : vertices) v = labels.empty() ? v : labels[static_cast<std::size_t>(v)];
+    return vertices;
+  };
   const Breach& first = breaches.front();
   std::string text = fmt::format("expected a piecewise linear complex, found {}: {}",
                                  identifier(first.kind), meaning(first.kind));
   for (const std::size_t polygon : first.polygons) text += fmt::format(", polygon {}", polygon);
   for (const Simplex& segment : first.segments) {
-    text += fmt::format(", segment {}", fmt::join(segment, " "));
+    text += fmt::format(", segment {}", fmt::join(named(segment), " "));
   }
-  if (!first.vertices.empty()) text += fmt::format(", vertices {}", fmt::join(first.vertices, " "));
+  if (!first.vertices.empty())
+    text += fmt::format(", vertices {}", fmt::join(named(first.vertices), " "));
   if (first.point) {
     std::string separator = ", point (";
     for (const Rational& x : *first.point) {
@@ -109,11 +185,13 @@ DomainKind kind_of(const PiecewiseLinearComplex& complex, std::int32_t asked) {
 // A point in each region that is enclosed and not filled.
 std::vector<Point> seeds_of_empty(const circumspect_domain& domain,
                                   const PiecewiseLinearInput& input,
+                                  const std::vector<PolygonLines>& rings,
                                   const PiecewiseLinearComplex& complex) {
   const std::vector<Point> named = exact_points(domain.region_count, domain.dimension,
                                                 domain.region_seeds, domain.exact_region_seeds);
   const bool is_by_rule = domain.kind == CIRCUMSPECT_EVEN_ODD || domain.kind == CIRCUMSPECT_WINDING;
-  if (named.empty() && !is_by_rule) return {};
+  const bool is_by_rings = domain.kind == CIRCUMSPECT_KIND_BY_WALLS && !rings.empty();
+  if (named.empty() && !is_by_rule && !is_by_rings) return {};
   if (!named.empty() && (is_by_rule || domain.kind == CIRCUMSPECT_HULL)) {
     refuse_call("expected regions of what is enclosed, found them beside another kind");
   }
@@ -125,6 +203,7 @@ std::vector<Point> seeds_of_empty(const circumspect_domain& domain,
         "expected the point of region {} in something enclosed, found it {}", seeds.error(),
         regions.region_at(named[seeds.error()]) ? "in nothing enclosed" : "on a wall"));
   }
+  if (is_by_rings) return points_without_rings(rings, regions);
   const Fill fill = domain.kind == CIRCUMSPECT_WINDING ? Fill::kWinding : Fill::kEvenOdd;
   auto seeds = seeds_of_unfilled(fill, input, complex, regions);
   if (seeds) return *std::move(seeds);
@@ -134,25 +213,8 @@ std::vector<Point> seeds_of_empty(const circumspect_domain& domain,
       report::joined(regions.walls().simplices()[seeds.error()])));
 }
 
-// Polygons are named by their places, joined ones by the place of the first.
-Domain with_names(PiecewiseLinearComplex complex,
-                  const std::vector<std::vector<std::size_t>>& members) {
-  Domain domain{std::move(complex)};
-  for (const std::vector<std::size_t>& some : members) {
-    domain.polygon_names.push_back(std::to_string(some.front()));
-    if (some.size() > 1) domain.polygon_names.back() += fmt::format(", joined of {}", some.size());
-  }
-  return domain;
-}
-
-}  // namespace
-
-Domain domain_of(const circumspect_domain& given) {
-  const circumspect_domain domain =
-      of_any_version<circumspect_domain>(given, CIRCUMSPECT_DOMAIN,
-                                         {offsetof(circumspect_domain, polygon_hole_count),
-                                          offsetof(circumspect_domain, region_count)},
-                                         "CIRCUMSPECT_DOMAIN");
+// Without the settings, which say what is filled.
+PiecewiseLinearInput input_of(const circumspect_domain& domain) {
   require_dimension(domain.dimension, 2, 3);
   require_count(domain.point_count, "points");
   require_count(domain.segment_count, "segments");
@@ -170,21 +232,65 @@ Domain domain_of(const circumspect_domain& given) {
   take_polygon_holes(domain, input.polygons);
   input.hole_seeds =
       exact_points(domain.hole_count, domain.dimension, domain.hole_seeds, domain.exact_hole_seeds);
+  return input;
+}
+
+// Polygons are named by their places, joined ones by the place of the first.
+Domain with_names(PiecewiseLinearComplex complex,
+                  const std::vector<std::vector<std::size_t>>& members) {
+  Domain domain{std::move(complex)};
+  for (const std::vector<std::size_t>& some : members) {
+    domain.polygon_names.push_back(std::to_string(some.front()));
+    if (some.size() > 1) domain.polygon_names.back() += fmt::format(", joined of {}", some.size());
+  }
+  return domain;
+}
+
+Domain with_polygons_joined(const PiecewiseLinearInput& input, PiecewiseLinearComplex complex,
+                            bool are_merged) {
+  if (are_merged) {
+    JoinedPolygons joined = coplanar_polygons_joined(input, complex);
+    return with_names(std::move(joined.complex), joined.members);
+  }
+  std::vector<std::vector<std::size_t>> alone;
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) alone.push_back({p});
+  return with_names(std::move(complex), alone);
+}
+
+}  // namespace
+
+Domain domain_of(const circumspect_domain& given, bool merges) {
+  const circumspect_domain domain = of_any_version<circumspect_domain>(
+      given, CIRCUMSPECT_DOMAIN,
+      {offsetof(circumspect_domain, polygon_hole_count), offsetof(circumspect_domain, region_count),
+       offsetof(circumspect_domain, resolve)},
+      "CIRCUMSPECT_DOMAIN");
+  PiecewiseLinearInput input = input_of(domain);
+  std::vector<Vertex> labels;
+  if (domain.resolve != 0 || merges) require_known_corners(input);
+  const bool is_planar = domain.dimension == 2;
+  if (merges && domain.resolve == 0) labels = merge_equal_points(input);
+  std::vector<PolygonLines> rings;
+  if (is_planar) rings = taken_for_rings(input);
+  if (domain.resolve != 0) {
+    if (is_planar) input.polygons = std::move(rings);
+    ResolvedInput whole = resolved(input, own_indices(input));
+    input = std::move(whole.input);
+    labels = std::move(whole.labels);
+    if (is_planar) rings = std::exchange(input.polygons, {});
+  }
   auto complex = check::validated_domain(input);
-  if (!complex) refuse_input(breach_text(complex.error()));
-  const std::vector<Point> empty = seeds_of_empty(domain, input, *complex);
+  if (!complex) refuse_input(breach_text(complex.error(), labels));
+  const std::vector<Point> empty = seeds_of_empty(domain, input, rings, *complex);
   complex->kind = input.kind =
       domain.region_count > 0 ? DomainKind::kEnclosed : kind_of(*complex, domain.kind);
   for (std::vector<Point>* const seeds : {&complex->hole_seeds, &input.hole_seeds}) {
     seeds->insert(seeds->end(), empty.begin(), empty.end());
   }
-  if (domain.merge_coplanar != 0 && domain.dimension == 3) {
-    JoinedPolygons joined = coplanar_polygons_joined(input, *complex);
-    return with_names(std::move(joined.complex), joined.members);
-  }
-  std::vector<std::vector<std::size_t>> alone;
-  for (std::size_t p = 0; p < complex->polygons.size(); ++p) alone.push_back({p});
-  return with_names(std::move(*complex), alone);
+  Domain filled =
+      with_polygons_joined(input, std::move(*complex), domain.merge_coplanar != 0 && !is_planar);
+  filled.labels = std::move(labels);
+  return filled;
 }
 
 }  // namespace circumspect::c

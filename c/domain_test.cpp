@@ -103,5 +103,68 @@ TEST_CASE("polygons of one plane are one, where that is asked for") {
   CHECK(has(circumspect_verdict_text(joined.verdict.get()), "0, joined of 2"));
 }
 
+// Two rings of one polygon, and a third polygon in the hole.
+TEST_CASE("polygons of the plane are rings") {
+  circumspect_domain domain = nested();
+  domain.segment_count = 0;
+  domain.polygon_count = 1;
+  const std::vector<std::int64_t> starts = {0, 2, 3};
+  const std::vector<std::int64_t> lines = {0, 4, 8, 12};
+  const std::vector<std::int64_t> corners = {0, 1, 2, 3, 4, 5, 6, 7, 4, 5, 6, 7};
+  domain.polygon_starts = starts.data();
+  domain.line_starts = lines.data();
+  domain.corners = corners.data();
+  CHECK(simplices_in(domain) == 8);
+  domain.kind = CIRCUMSPECT_ENCLOSED;
+  CHECK(simplices_in(domain) == 10);
+  domain.kind = CIRCUMSPECT_KIND_BY_WALLS;
+  domain.polygon_count = 2;
+  CHECK(simplices_in(domain) == 10);
+  const std::vector<std::int64_t> short_lines = {0, 4, 6, 10};
+  domain.line_starts = short_lines.data();
+  check_refused(domain, CIRCUMSPECT_INVALID_ARGUMENT, "rings of at least 3 corners in the plane");
+  domain.line_starts = lines.data();
+  const std::int64_t owner = 0;
+  const double seed[] = {1.5, 1.5};
+  domain.polygon_hole_count = 1;
+  domain.polygons_of_holes = &owner;
+  domain.polygon_hole_seeds = seed;
+  check_refused(domain, CIRCUMSPECT_INVALID_ARGUMENT, "whose rings bound the holes");
+}
+
+TEST_CASE("segments that meet anywhere are resolved if asked") {
+  const std::vector<double> points = {0, 0, 4, 0, 4, 4, 0, 4, 4, 4};
+  const std::vector<std::int64_t> edges = {0, 1, 1, 2, 4, 3, 3, 0, 0, 2, 1, 3};
+  circumspect_domain domain = of_segments(points, edges);
+  check_refused(domain, CIRCUMSPECT_INPUT_FAULT, "plc.duplicate-vertex");
+  domain.resolve = 1;
+  CHECK(simplices_in(domain) == 4);
+  const std::vector<std::int64_t> unknown = {0, 1, 1, 2, 4, 3, 3, 0, 0, 2, 1, 5};
+  domain.segments = unknown.data();
+  check_refused(domain, CIRCUMSPECT_INPUT_FAULT, "expected corners among 5 points, found 5");
+  // A program compiled before there was such a choice has none.
+  domain.segments = edges.data();
+  domain.struct_size = offsetof(circumspect_domain, resolve);
+  check_refused(domain, CIRCUMSPECT_INPUT_FAULT, "plc.duplicate-vertex");
+}
+
+TEST_CASE("equal points of a domain are merged with those of the mesh") {
+  const std::vector<double> points = {0, 0, 4, 0, 4, 4, 0, 4, 0, 0};
+  circumspect_domain domain = of_segments(points, kLoops);
+  const std::vector<std::int64_t> edges = {0, 1, 1, 2, 2, 3, 3, 4, 4, 0};
+  domain.segment_count = 5;
+  domain.segments = edges.data();
+  const std::vector<double> corners = {0, 0, 4, 0, 4, 4, 0, 4};
+  const std::vector<std::int32_t> halves = {0, 1, 2, 0, 2, 3};
+  const circumspect_mesh mesh = mesh_of(corners, halves);
+  CHECK(check(nullptr, &mesh, &domain).status == CIRCUMSPECT_INPUT_FAULT);
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  options.merge_equal_points = 1;
+  const Checked merged = check(nullptr, &mesh, &domain, &options);
+  REQUIRE(merged.status == CIRCUMSPECT_OK);
+  CHECK(circumspect_verdict_holds(merged.verdict.get()) == 1);
+  CHECK(has(circumspect_verdict_claim(merged.verdict.get()), "cdt"));
+}
+
 }  // namespace
 }  // namespace circumspect::c

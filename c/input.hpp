@@ -49,8 +49,9 @@ void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* wha
 // Requires the name of a claim that is, or is not, about a domain, as asked.
 Claim claim_of(const char* text, bool has_domain);
 
-// A valid complex, and the part of it that is filled (domain.cpp).
-Domain domain_of(const circumspect_domain& domain);
+// A valid complex, and the part of it that is filled (domain.cpp). `merges`: equal points count as
+// one.
+Domain domain_of(const circumspect_domain& domain, bool merges = false);
 
 // Points by either array.
 std::vector<Point> exact_points(std::int64_t count, std::int64_t dimension, const double* doubles,

@@ -1,4 +1,8 @@
 // The signs of orientation and in-ball determinants, of doubles or of numbers as text.
+#include "oracle/judge/fast/predicates/predicates.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,12 +42,58 @@ std::vector<std::size_t> all_axes(std::int64_t dimension) {
   return axes;
 }
 
+// Doubles of the plane and of space have predicates of their own, thirty times as fast, where the
+// processor rounds as their bounds assume. Nobody asks them for numbers that are not finite.
+bool are_for_doubles(std::int64_t dimension, std::int64_t beyond, const double* doubles) {
+  return (dimension == 2 || dimension == 3) && doubles != nullptr &&
+         fast::arithmetic_is_as_proved() &&
+         std::all_of(doubles, doubles + dimension * (dimension + beyond),
+                     [](double x) { return std::isfinite(x); });
+}
+
+template <std::size_t kDimension>
+fast::Site<kDimension> site(const double* doubles, std::size_t place) {
+  fast::Site<kDimension> site{};
+  std::copy_n(doubles + place * kDimension, kDimension, site.at.begin());
+  return site;
+}
+
+template <std::size_t kDimension>
+fast::SiteRow<kDimension> simplex(const double* doubles) {
+  fast::SiteRow<kDimension> row;
+  for (std::size_t i = 0; i <= kDimension; ++i) row[i] = site<kDimension>(doubles, i);
+  return row;
+}
+
+template <std::size_t kDimension>
+int orientation_of_doubles(const double* doubles) {
+  fast::Stages stages;
+  return fast::orientation<kDimension>(simplex<kDimension>(doubles), stages);
+}
+
+// 0 for points that are affinely dependent, too.
+template <std::size_t kDimension>
+int in_ball_of_doubles(const double* doubles) {
+  fast::Stages stages;
+  const auto ball = fast::ball_of<kDimension, false>(simplex<kDimension>(doubles));
+  return ball.orientation(stages) *
+         ball.contains(site<kDimension>(doubles, kDimension + 1), stages);
+}
+
 int orientation_sign(std::int64_t dimension, const double* doubles, const char* const* texts) {
+  if (are_for_doubles(dimension, 1, doubles)) {
+    return dimension == 2 ? orientation_of_doubles<2>(doubles) : orientation_of_doubles<3>(doubles);
+  }
   const Configuration points = configuration_of(dimension, 1, doubles, texts);
   return orientation(points, all_axes(dimension), first_vertices(dimension + 1));
 }
 
 int in_ball_sign(std::int64_t dimension, const double* doubles, const char* const* texts) {
+  if (are_for_doubles(dimension, 2, doubles)) {
+    const int sign =
+        dimension == 2 ? in_ball_of_doubles<2>(doubles) : in_ball_of_doubles<3>(doubles);
+    if (sign != 0) return sign;  // else they may be dependent, which is refused below
+  }
   const Configuration points = configuration_of(dimension, 2, doubles, texts);
   const std::vector<std::size_t> axes = all_axes(dimension);
   const std::vector<Vertex> simplex = first_vertices(dimension + 1);

@@ -1,11 +1,13 @@
 #!/bin/bash
 # Builds the Debian packages, and has lintian look at them:
-#   cmake/deb.sh FOLDER
+#   cmake/deb.sh FOLDER [ARCHITECTURE]
 # The packages, and the copy of the sources that they are built in, are then in FOLDER, such as
-# build/deb.
+# build/deb. For another ARCHITECTURE, such as arm64, there is no Python package, and WRITES_PAGES
+# names a circumspect of this machine, which writes the man pages.
 set -euo pipefail
 
-folder=${1:?usage: cmake/deb.sh FOLDER}
+folder=${1:?usage: cmake/deb.sh FOLDER [ARCHITECTURE]}
+architecture=${2:-$(dpkg --print-architecture)}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 version=$(sed -n 's/^project(circumspect VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
 packed=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)
@@ -24,7 +26,12 @@ export CCACHE_DIR=${CCACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/ccache}
 # Debian's own programs and no others that stand before them, as another Python.
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym"
-dpkg-buildpackage --build=binary --no-sign --jobs="${JOBS:-$(nproc)}"
+how=(--build=binary --no-sign --jobs="${JOBS:-$(nproc)}")
+if [ "$architecture" != "$(dpkg --print-architecture)" ]; then
+  export DEB_BUILD_OPTIONS="$DEB_BUILD_OPTIONS nocheck"
+  how+=(--host-arch "$architecture" --build-profiles=cross,nopython)
+fi
+dpkg-buildpackage "${how[@]}"
 cd "$folder"  # lintian cannot begin in a folder that is gone
 rm -rf "$sources"
 lintian --fail-on error "$folder"/*.changes

@@ -113,7 +113,6 @@ if(CIRCUMSPECT_BUILD_TESTS OR CIRCUMSPECT_BUILD_PYTHON)
     set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that the module is built for")
   endif()
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
-  circumspect_find_package(pybind11 pybind11::module)
 endif()
 
 if(CIRCUMSPECT_BUILD_TESTS)

@@ -1,15 +1,17 @@
 #!/bin/bash
 # Makes an archive of the programs for any Linux, which needs nothing but a kernel:
-#   cmake/dist.sh BUILD FOLDER VERIFIED
+#   cmake/dist.sh BUILD FOLDER [VERIFIED]
 # BUILD has been configured with -DCIRCUMSPECT_STATIC=ON and built; VERIFIED is
-# circumspect-verified, linked in the same way. FOLDER/circumspect-VERSION-linux-MACHINE.tar.gz
-# holds one folder of that name: both programs, man pages and completions, and the licences of all
-# that is in them. The same programs make the same bytes.
+# circumspect-verified, linked in the same way: without it, the command is alone in the archive.
+# FOLDER/circumspect-VERSION-linux-MACHINE.tar.gz holds one folder of that name: the programs, man
+# pages and completions, and the licences of all that is in them. EMULATOR runs programs of another
+# machine. The same programs make the same bytes.
 set -euo pipefail
 
-build=${1:?usage: cmake/dist.sh BUILD FOLDER VERIFIED}
-folder=${2:?usage: cmake/dist.sh BUILD FOLDER VERIFIED}
-verified=${3:?usage: cmake/dist.sh BUILD FOLDER VERIFIED}
+build=${1:?usage: cmake/dist.sh BUILD FOLDER [VERIFIED]}
+folder=${2:?usage: cmake/dist.sh BUILD FOLDER [VERIFIED]}
+verified=${3:-}
+emulator=${EMULATOR:-}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 fail() {
@@ -17,25 +19,37 @@ fail() {
   exit 1
 }
 
-version=$("$build/bin/circumspect" --version | cut -d' ' -f2)
-name=circumspect-$version-linux-$(uname -m)
+about=$($emulator "$build/bin/circumspect" --version)
+version=$(cut -d' ' -f2 <<<"$about")
+machine=$(LC_ALL=C readelf -h "$build/bin/circumspect" 2>/dev/null | sed -n 's/ *Machine: *//p' || true)
+case $machine in
+  AArch64) machine=aarch64 ;;
+  *) machine=$(uname -m) ;;
+esac
+name=circumspect-$version-linux-$machine
 mkdir -p "$folder"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cmake --install "$build" --component command --strip --prefix "$work/$name" >/dev/null
-install -s "$verified" "$work/$name/bin/circumspect-verified"
-for program in circumspect circumspect-verified; do
+programs=(circumspect)
+contents="command"
+if [ -n "$verified" ]; then
+  install -s "$verified" "$work/$name/bin/circumspect-verified"
+  programs+=(circumspect-verified)
+  contents="archive"
+fi
+for program in "${programs[@]}"; do
   if readelf -d "$work/$name/bin/$program" | grep -q NEEDED; then
     fail "$program: expected no shared library behind it; build the command with -DCIRCUMSPECT_STATIC=ON"
   fi
 done
 cp "$root/LICENSE" "$work/$name/"
-"$root/cmake/licences.sh" archive "$work/$name/licences"
+"$root/cmake/licences.sh" $contents "$work/$name/licences"
 cat >"$work/$name/README.txt" <<END
-$("$work/$name/bin/circumspect" --version)
+$about
 
-bin/circumspect and bin/circumspect-verified run where they lie: put them, or links to them, into a folder of PATH.
+What is in bin runs where it lies: put it, or links to it, into a folder of PATH.
 share has man pages (man -M share/man circumspect), and completions for bash and zsh.
 
 Circumspect's own licence is in LICENSE, those of the libraries that are linked into the programs are in licences/.

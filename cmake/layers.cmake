@@ -7,7 +7,8 @@
 #     test     NAME_cgal_test     FOLDER/*_cgal_test.cpp, the only tests that see CGAL
 #
 # UNTIMED: nobody waits for what it does. CIRCUMSPECT_QUICK_BUILD optimizes it less, which takes the
-# compiler three fifths of the time.
+# compiler three fifths of the time. Where tests are built it does so with all layers that use the
+# precompiled headers: compiling them takes longer than what the tests do.
 #
 # The name of a test file says when it runs:
 #     *_slow_test.cpp, *_slow_property.cpp   label `slow`: not under the sanitizers
@@ -70,7 +71,7 @@ function(circumspect_layer name folder)
   if(sources AND ARG_DEPENDS AND NOT built_elsewhere)
     if(folder MATCHES "^properties/")
       circumspect_precompile(circumspect_${name} properties)
-    elseif(ARG_UNTIMED AND CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
+    elseif((ARG_UNTIMED OR CIRCUMSPECT_BUILD_TESTS) AND CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
       circumspect_precompile(circumspect_${name} untimed_layers)
     else()
       circumspect_precompile(circumspect_${name} layers)

@@ -1,13 +1,13 @@
 #!/bin/bash
 # Puts the licences of everything that an artefact contains, but for its own, into a folder:
-#   cmake/licences.sh archive|page|wheel FOLDER
+#   cmake/licences.sh archive|command|page|wheel FOLDER
 # FOLDER has then one file for each library that is linked in, or whose headers are compiled in, and
 # each of the licences that these files name. Debian says of each library who wrote it and under
 # which licence; so the packages that the libraries come from have to be installed.
 set -euo pipefail
 
-artefact=${1:?usage: cmake/licences.sh archive|page|wheel FOLDER}
-folder=${2:?usage: cmake/licences.sh archive|page|wheel FOLDER}
+artefact=${1:?usage: cmake/licences.sh archive|command|page|wheel FOLDER}
+folder=${2:?usage: cmake/licences.sh archive|command|page|wheel FOLDER}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 documents=/usr/share/doc
 
@@ -16,9 +16,10 @@ packages=(libgmp-dev libmpfr-dev libcgal-dev libexpected-dev libfmt-dev nlohmann
           'libboost[0-9]*-dev')
 case $artefact in
   archive) packages+=(libcadical-dev libcli11-dev libc6-dev 'libstdc++-[0-9]*-dev' ocaml libzarith-ocaml-dev) ;;
+  command) packages+=(libcadical-dev libcli11-dev libc6-dev 'libstdc++-[0-9]*-dev') ;;  # without circumspect-verified
   page) packages+=(libcadical-dev libcli11-dev emscripten) ;;
-  wheel) packages+=(pybind11-dev) ;;
-  *) echo "cmake/licences.sh: expected archive, page or wheel, found $artefact" >&2; exit 2 ;;
+  wheel) packages+=(libcadical-dev libcli11-dev) ;;  # which the command brings along
+  *) echo "cmake/licences.sh: expected archive, command, page or wheel, found $artefact" >&2; exit 2 ;;
 esac
 
 rm -rf "$folder"

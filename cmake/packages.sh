@@ -1,7 +1,8 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
 #   cmake/packages.sh
-#   build|demo|verified|docs|proofs|test|coverage|mutants|browser|web|deb|ports|hunt|bench...
+#   build|demo|verified|docs|proofs|test|coverage|mutants|browser|web|wheel|rust|deb|ports|hunt
+#   |bench...
 # When nothing is missing it touches neither the network nor the system. A|B is the first of the two
 # that this release of Debian has; with a question mark behind it, what it does not have is left
 # out.
@@ -55,7 +56,6 @@ clang-format-14?      checks the layout of the sources, which is that of this ve
 clang                 compiles the fuzz targets
 libclang-rt-14-dev|libclang-rt-dev  libFuzzer and Clang's sanitizers
 python3-dev           compiles the Python module (the file Python.h)
-pybind11-dev          binds it to Python
 python3-numpy         arrays, which the Python package takes
 python3-setuptools    makes a wheel of it (PEP 517)
 python3-wheel         the same
@@ -95,6 +95,26 @@ nodejs                bundles the page, and runs its tests
 npm                   fetches the modules for that, as package-lock.json names them
 END
       ;;
+    wheel) cat <<'END'
+g++                   compiles the Python module
+python3-dev           its interface (the file Python.h)
+python3-setuptools    makes a wheel of it (PEP 517)
+python3-wheel         the same
+python3-build         the same, from the command line
+python3-venv          makes an environment to install it into
+dpkg-dev              unpacks the sources of GMP and MPFR, which are compiled for it as well
+m4                    writes GMP's assembly
+make                  compiles these
+debootstrap           makes the bare Debian in which the wheel is tried
+END
+      libraries
+      ;;
+    rust) cat <<'END'
+cargo                 compiles the crate
+librust-proptest-dev  draws from its strategies, in tests
+pkg-config            finds the C library
+END
+      ;;
     verified) cat <<'END'
 coq                   checks the proofs and extracts the certificate checker
 ocaml-nox             compiles it
@@ -113,7 +133,6 @@ fakeroot              the same, for who is not root
 dh-python             puts the Python package where Debian's Python looks
 pybuild-plugin-pyproject  reads its pyproject.toml
 python3-dev           compiles the Python module (the file Python.h)
-pybind11-dev          binds it to Python
 python3-setuptools    makes a wheel of it
 python3-wheel         the same
 lintian               looks for faults in the packages
@@ -154,7 +173,7 @@ END
 tetgen                its own check is timed beside ours, on the meshes that it makes
 END
       ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, verified, docs, proofs, test, coverage, mutants, browser, web, deb, ports, hunt or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, verified, docs, proofs, test, coverage, mutants, browser, web, wheel, rust, deb, ports, hunt or bench" >&2; exit 2 ;;
   esac
 }
 

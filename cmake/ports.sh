@@ -2,10 +2,11 @@
 # Builds where the project was not developed, and judges there:
 #   cmake/ports.sh FOLDER
 # In FOLDER/trixie it makes a bare Debian 13, runs the words of README.md's section "Install" there,
-# holds what the command prints to the golden bytes, and cross-compiles it for arm64, of which
-# nothing is run. FOLDER/ccache is kept, so that a second time is short. Needs root, debootstrap and
-# the network; MIRROR names another mirror, and ROOT an existing Debian 13 to be used instead, which
-# is kept.
+# and holds what the command prints to the golden bytes. For arm64 it then makes the archive and the
+# Debian packages, in FOLDER/arm64, installs the latter, and holds both commands to the golden bytes
+# under qemu. FOLDER/ccache is kept, so that a second time is short. Needs root, debootstrap and the
+# network; MIRROR names another mirror, and ROOT an existing Debian 13 to be used instead, which is
+# kept.
 set -euo pipefail
 
 mkdir -p "${1:?usage: cmake/ports.sh FOLDER}"
@@ -56,21 +57,47 @@ step "the golden bytes, one report in four" inside \
 tail -n 1 "$log"
 
 libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf 'lib%s-dev:arm64 ' $name; done)
-step "installing what compiles for arm64" inside \
+step "installing what compiles for arm64, and qemu" inside \
   "dpkg --add-architecture arm64 && apt-get -q update &&
-   apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 $libraries"
+   apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 $libraries \
+     build-essential debhelper dpkg-dev fakeroot lintian qemu-user"
 cat >"$root/root/circumspect/build/arm64.cmake" <<'END'
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
 END
-step "cross-compiling for arm64" inside \
+step "the archive for arm64" inside \
   'cmake -S . -B build/arm64 -G Ninja -DCMAKE_TOOLCHAIN_FILE=$PWD/build/arm64.cmake -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-     -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_WRITES_PAGES=$PWD/build/release/bin/circumspect &&
+     -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCMAKE_CXX_FLAGS=-ffile-prefix-map=$PWD=. \
+     -DCIRCUMSPECT_WRITES_PAGES=$PWD/build/release/bin/circumspect &&
    cmake --build build/arm64 --target circumspect_cli -j "$JOBS" &&
-   cmake --install build/arm64 --component command --prefix "$PWD/build/arm64/installed"'
-machine=$(readelf -h "$root/root/circumspect/build/arm64/installed/bin/circumspect" | sed -n 's/ *Machine: *//p')
-[ "$machine" = AArch64 ] || fail "expected a command for AArch64, found one for $machine"
-[ -f "$root/root/circumspect/build/arm64/installed/share/man/man1/circumspect-check.1" ] || fail "expected its man pages"
-echo "ports: builds and judges on Debian 13, and compiles for arm64"
+   EMULATOR=qemu-aarch64 cmake/dist.sh build/arm64 build/dist'
+step "no fused multiply-add where the filters' bounds forbid it" inside \
+  'cmake/contraction_test.sh --archives aarch64-linux-gnu-objdump build/arm64/libcircumspect_*.a'
+step "the Debian packages for arm64" inside \
+  'WRITES_PAGES=$PWD/build/release/bin/circumspect cmake/deb.sh build/deb arm64'
+rm -rf "$folder/arm64"
+mkdir -p "$folder/arm64"
+cp "$root"/root/circumspect/build/dist/*-aarch64.tar.gz "$root"/root/circumspect/build/deb/*_arm64.deb "$folder/arm64/"
+
+# What was made is asked, where it was unpacked and installed.
+inside 'rm -rf /root/arm64 && mkdir /root/arm64 && tar -C /root/arm64 --strip-components=1 -xzf build/dist/*-aarch64.tar.gz'
+[ -f "$root/root/arm64/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive for arm64"
+step "installing the Debian packages for arm64" inside \
+  'apt-get install -q -y --no-install-recommends ./build/deb/circumspect_*_arm64.deb ./build/deb/libcircumspect0_*_arm64.deb'
+for command in /root/arm64/bin/circumspect /usr/bin/circumspect; do
+  machine=$(readelf -h "$root$command" | sed -n 's/ *Machine: *//p')
+  [ "$machine" = AArch64 ] || fail "expected a command for AArch64 in $command, found one for $machine"
+  # shellcheck disable=SC2016
+  printf '#!/bin/sh\nexec qemu-aarch64 %s "$@"\n' "$command" >"$root/root/circumspect/build/by-qemu"
+  chmod +x "$root/root/circumspect/build/by-qemu"
+  step "the golden bytes of $command on arm64, one report in ${ARM64_ONE_INPUT_IN:-4}" inside \
+    "CIRCUMSPECT_ONE_INPUT_IN=${ARM64_ONE_INPUT_IN:-4} python3 corpus/golden.py build/by-qemu"
+  tail -n 1 "$log"
+done
+step "a C program on arm64" inside \
+  'apt-get install -q -y --no-install-recommends ./build/deb/libcircumspect-dev_*_arm64.deb &&
+   aarch64-linux-gnu-gcc -o build/judge examples/c/check.c -lcircumspect -lm && qemu-aarch64 build/judge'
+grep -q "^delaunay.facet-not-local: vertex 3 in a ball of squared radius 1/2" "$log" || fail "expected a witness from C on arm64"
+echo "ports: builds and judges on Debian 13, and on arm64 by archive, packages and C library"

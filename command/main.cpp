@@ -31,6 +31,11 @@ namespace circumspect::cli {
 // command/CMakeLists.txt writes both: a commit or "unknown", and libraries.
 const char* built_from();
 const char* built_with();
+
+// Does what the words say, on the standard files of the process, and returns the exit code. The
+// Python module has the command in it, too, and calls this: once, and where there are no other
+// threads, since it may fork and sets how the process ends.
+int command_line(int argc, char** argv);
 }  // namespace circumspect::cli
 
 namespace {
@@ -173,7 +178,7 @@ std::terminate_handler usual_end = nullptr;
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int circumspect::cli::command_line(int argc, char** argv) {
   circumspect::cli::keep_standard_files_apart();
   circumspect::formats::let_writing_fail_at_file_limits();
   circumspect::end_where_numbers_exhaust_memory(end_without_memory);
@@ -190,3 +195,5 @@ int main(int argc, char** argv) {
   }
   return static_cast<int>(ExitCode::kInternalError);
 }
+
+int main(int argc, char** argv) { return circumspect::cli::command_line(argc, argv); }

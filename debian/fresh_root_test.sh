@@ -3,38 +3,17 @@
 #   debian/fresh_root_test.sh PACKAGES ARCHIVE
 # ARCHIVE is what `make dist` made: it has to run before anything is installed. PACKAGES is the
 # folder in which `make deb` left its packages: the command, a C program, a C++ program and Python
-# then judge by them. Needs root, debootstrap and the network; MIRROR names another mirror.
+# then judge by them.
 set -euo pipefail
 
 packages=$(realpath "${1:?usage: debian/fresh_root_test.sh PACKAGES ARCHIVE}")
 archive=$(realpath "${2:?usage: debian/fresh_root_test.sh PACKAGES ARCHIVE}")
-mirror=${MIRROR:-http://deb.debian.org/debian}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-work=$(mktemp -d)
-root=$work/root
-trap 'rm -rf --one-file-system "$work"' EXIT
-
-fail() {
-  echo "fresh_root_test: $1" >&2
-  exit 1
-}
-
-quietly() {
-  "$@" >"$work/log" 2>&1 || { tail -n 40 "$work/log"; fail "failed: $*"; }
-}
-
-[ "$(id -u)" -eq 0 ] || fail "expected to be root, which chroot needs"
+source "$here/packaging/bare_root.sh"
 quietly "$here/cmake/packages.sh" deb
-quietly debootstrap --variant=minbase bookworm "$root" "$mirror"
+make_bare_root bookworm
 
-# Mounts end with the process that needs them.
-inside() {
-  unshare --mount --propagation private bash -c \
-    'mount -t proc proc "$0/proc" && exec chroot "$0" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-     DEBIAN_FRONTEND=noninteractive bash -euc "cd /root; $1"' "$root" "$1"
-}
-
-cp -r "$here/corpus/peers/tetgen" "$here/examples/c" "$here/examples/judge" "$root/root/"
+cp -r "$here/corpus/peers/tetgen" "$here/examples/c" "$here/examples/judge" "$bare/root/"
 good=tetgen/random-3d-500.1.ele
 bad=tetgen/hunted-tetgen-covered-twice-3d.1.ele
 
@@ -47,16 +26,16 @@ judges() {
   grep -q "^fails: delaunay $bad triangulation.covered-twice" "$work/log" || fail "$2: expected a witness"
 }
 
-tar -C "$root/root" -xzf "$archive"
+tar -C "$bare/root" -xzf "$archive"
 folder=$(basename "$archive" .tar.gz)
-[ -f "$root/root/$folder/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive"
-[ -f "$root/root/$folder/licences/libgmp-dev" ] || fail "expected licences in the archive"
+[ -f "$bare/root/$folder/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive"
+[ -f "$bare/root/$folder/licences/libgmp-dev" ] || fail "expected licences in the archive"
 judges "$folder/bin/circumspect" "the archive, with nothing installed"
 quietly inside "$folder/bin/circumspect certify $good -o certificate && $folder/bin/circumspect-verified certificate ${good%.ele}.node $good"
 grep -q "^verified: delaunay, 500 points, 3074 tetrahedra, unique, canonical" "$work/log" || fail "expected a verified certificate"
 
-cp "$packages"/*.deb "$root/root/"
-rm -f "$root"/root/*-dbgsym_*.deb
+cp "$packages"/*.deb "$bare/root/"
+rm -f "$bare"/root/*-dbgsym_*.deb
 quietly inside "apt-get install -q -y --no-install-recommends ./*.deb gcc g++ libc6-dev pkg-config man-db"
 judges circumspect "the command"
 quietly inside "man -w circumspect-check"
@@ -70,7 +49,7 @@ echo "the C++ archive"
 quietly inside 'g++ -std=c++20 -o judge-in-cpp judge/judge_arrays.cpp $(pkg-config --cflags --libs circumspect-check) && ./judge-in-cpp'
 
 echo "Python"
-cat >"$root/root/judge.py" <<'PYTHON'
+cat >"$bare/root/judge.py" <<'PYTHON'
 import circumspect
 import numpy
 
@@ -84,14 +63,14 @@ grep -q "^holds: delaunay mesh 4 points 2 triangles unique canonical" "$work/log
 grep -q "^{'delaunay.facet-not-local': 1}" "$work/log" || fail "expected a broken rule from Python"
 
 echo "the tests of the Python package, with VTK itself"
-mkdir "$root/root/python"
-cp "$here"/python/{package,domains}_test.py "$root/root/python/"
+mkdir "$bare/root/python"
+cp "$here"/python/{package,domains}_test.py "$bare/root/python/"
 quietly inside "apt-get install -q -y --no-install-recommends python3-pytest python3-vtk9"
 quietly inside "python3 -m pytest -q -rs -p no:cacheprovider -k 'not pages' python/package_test.py python/domains_test.py"
 if grep -q "SKIPPED.*vtk" "$work/log"; then fail "expected data sets of VTK to be judged"; fi
 
 echo "Rust and Octave, as Debian has them"
-cp -r "$here/examples/rust" "$here/examples/octave" "$root/root/"
+cp -r "$here/examples/rust" "$here/examples/octave" "$bare/root/"
 quietly inside "apt-get install -q -y --no-install-recommends rustc octave octave-dev"
 quietly inside "rustc --edition 2021 -l circumspect rust/check.rs && ./check"
 grep -q "^refused: expected finite coordinates, found nan" "$work/log" || fail "expected that Rust is told what is wrong"

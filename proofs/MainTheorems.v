@@ -1,8 +1,9 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
     Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or, of
-    a mesh alone, of [Complexes.v].  [check], [refute], [check_domain] and so on are the functions
-    that the program evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
+    a mesh alone, of [Complexes.v] or, of hulls and of points of a plane in space, of [Hulls.v] and
+    [Flats.v].  [check], [refute], [check_domain] and so on are the functions that the program
+    evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
     [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
     stand in [BookTheorems.v].
 
@@ -17,6 +18,7 @@
     - anything within a tolerance: nothing is proved of [check --within], which moves points; what
       is verified is of the coordinates in the file, as they are;
     - of a mesh alone, that it is a manifold, connected, closed or oriented;
+    - of points of a plane in space, which of several Delaunay triangulations it is;
     - anything of a mesh in which something dangles, unless it is refuted: no certificate is about
       one, nor is a domain in which something dangles said to have no triangulation;
     - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is stated in [BookTheorems.v], and
@@ -31,8 +33,9 @@
 From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
-From Circumspect Require Import GiftWrapping Honest Definitions Domains DomainRules Complexes.
-From Circumspect Require MainProofs.
+From Circumspect Require Import HullChecker FlatChecker GiftWrapping Honest.
+From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats.
+From Circumspect Require MainProofs HullSound FlatSound.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -219,6 +222,29 @@ Theorem rules_of_complexes D x : refute_alone D x = true ->
    "complex.duplicate-simplex"; "complex.overlap"; "triangulation.unused-point";
    "complex.hanging-vertex"; "complex.faces-cross"; "complex.points-equal"]%string.
 Proof. apply MainProofs.rules_of_complexes. Qed.
+
+(** ** Convex hulls, and points of a plane in space *)
+
+(** An accepted certificate of the claim [convex-hull]: the points but the summit, number [k], span
+    the plane or space, and the simplices without the summit are the boundary of their hull. *)
+Theorem verified_hull D p k X s : judge_hull D p k X s = Holds ->
+  let c := unpacked D p in
+  let S := points_below (dimension_of D) c k in
+  NoDup S /\ spans S /\ boundary_of_hull S (facets_below (dimension_of D) c k).
+Proof. apply HullSound.judge_hull_sound. Qed.
+
+(** An accepted certificate of points in space that lie in one plane: the triangles are a
+    triangulation of these points, Delaunay if the certificate claims it. *)
+Theorem verified_flat p x s : judge_flat p x s = Holds ->
+  let c := unpacked Plane p in
+  let S := flat_points c x in let T := flat_simplices c x in
+  NoDup S /\
+  lie_in_hyperplane 2 (integer_point 3 (flat_normal x)) (unit_of c * IZR (flat_offset x)) S /\
+  match claimed c with
+  | WeightedDelaunay => flat_delaunay_triangulation 2 S T
+  | _ => flat_triangulation 2 S T
+  end.
+Proof. apply FlatSound.judge_flat_sound. Qed.
 
 (** ** A construction *)
 

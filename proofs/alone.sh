@@ -1,6 +1,6 @@
 #!/bin/bash
-# Certifies the meshes of corpus that are judged as complexes, and has circumspect-verified read
-# what proves the verdict:
+# Certifies the meshes of corpus that are judged as complexes, and those that are convex hulls, and
+# has circumspect-verified read what proves the verdict:
 #   proofs/alone.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
 set -euo pipefail
 circumspect=$(realpath "$1")
@@ -10,7 +10,14 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 accepted=0
 refuted=0
+hulls=0
 while IFS=$'\t' read -r mesh claim verdict; do
+  if [ "${claim%% *}" = convex-hull ] && [ "$verdict" = holds ] && [[ "$mesh" != *cyclic* ]]; then
+    "$circumspect" certify "$mesh" --claim convex-hull --quiet -o "$scratch/certificate"
+    found=$("$verified" "$scratch/certificate" "${mesh%.ele}.node" "$mesh") || true
+    [[ "$found" == "verified: convex-hull, "* ]] || { echo "$mesh: found '$found'" >&2; exit 1; }
+    hulls=$((hulls + 1))
+  fi
   [ "$claim" = complex ] || continue
   code=0
   "$circumspect" certify "$mesh" --claim complex --quiet -o "$scratch/certificate" || code=$?
@@ -23,5 +30,5 @@ while IFS=$'\t' read -r mesh claim verdict; do
   fi
   if [ "$verdict" = holds ]; then accepted=$((accepted + 1)); else refuted=$((refuted + 1)); fi
 done <expected.tsv
-echo "$accepted certificates and $refuted refutations of meshes alone verified"
-[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ]
+echo "$accepted certificates and $refuted refutations of meshes alone verified, $hulls certificates of hulls"
+[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 8 ]

@@ -2,20 +2,24 @@
 """Holds circumspect-verified to the oracle, on drawn domains and point sets, and on forged files about them.
 
     proofs/forgeries.py CIRCUMSPECT CIRCUMSPECT_VERIFIED [--domains N] [--impossible N] [--points N] [--alone N]
-        [--forgeries N] [--seed S]
+        [--hulls N] [--flats N] [--forgeries N] [--seed S]
 
 Each domain and each point set is drawn by `circumspect generate` and meshed by `circumspect build`; half of the meshes are
-then broken, and three quarters of those that are judged alone, as complexes. What `circumspect certify` writes of such a mesh has to be verified, and compared with the user's own files; so has
-the proof that `inspect --refutations` writes where a domain has no triangulation or no CDT.
+then broken, and three quarters of those that are judged alone, as complexes. What `circumspect certify` writes of such a mesh
+has to be verified, and compared with the user's own files; so has the proof that `inspect --refutations` writes where a domain
+has no triangulation or no CDT.
 
-Each of these files is then forged: numbers, lines, sections and the claim are changed, or come from another file. A forgery may be
-verified, as not every number matters: then what it says has to be so. What is so is asked of the oracle by the definitions, of the
-user's own mesh and domain, with which the forgery is compared; one that is not compared with anything is asked for its mesh.
+Each of these files is then forged: numbers, lines, sections and the claim are changed, or come from another file; or its mesh is
+changed, and all that points into it is made anew (rebuilding.py). A forgery may be verified, as not every number matters: then
+what it says has to be so. What is so is asked of the oracle by the definitions, of the user's own mesh and domain, with which the
+forgery is compared; one that is not compared with a mesh is asked for its own.
 
 It prints what it counted. Exit code 1: a file of ours is not verified, or a forgery is and should not be; the file is kept.
 """
 import argparse
 import collections
+import functools
+import itertools
 import json
 import pathlib
 import random
@@ -24,14 +28,20 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction
+
+import rebuilding
 
 CLAIMS_ABOUT_DOMAINS = ("plc-triangulation", "steiner-triangulation", "conforming-delaunay", "cdt", "steiner-cdt")
-CLAIMS = {"points": ("triangulation", "delaunay"), "alone": ("complex",), "domain": CLAIMS_ABOUT_DOMAINS}
+CLAIMS = {"points": ("triangulation", "delaunay"), "alone": ("complex",), "domain": CLAIMS_ABOUT_DOMAINS,
+          "hulls": ("convex-hull",), "flats": ("triangulation", "delaunay")}
 FAMILIES = {
     "domain": ("planar-segments", "planar-grid", "furnished-boxes", "delaunay-polyhedra", "protected-solids", "glued-tetrahedra",
                "coplanar-cells", "protected-polygons", "planar-segments+rotated", "delaunay-polyhedra+ulp", "planar-grid+moved"),
     "impossible": ("twisted-prisms", "glued-tetrahedra", "named-complexes", "twisted-prisms+rotated"),
     "alone": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid"),
+    "hulls": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid"),
+    "flats": ("integers", "grid"),
     "points": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid", "small-weights", "submerged")}
 KEPT = pathlib.Path("forgeries-failed")
 
@@ -74,16 +84,44 @@ class Programs:
 def drawn(programs, kind, folder, number, dice):
     """A point set or a domain, if the family has one of this seed."""
     family = dice.choice(FAMILIES[kind])
-    of_points = kind in ("points", "alone")
+    of_points = kind not in ("domain", "impossible")
     path = folder / ("mesh.node" if of_points else "domain.poly")
-    dimension = ["--dimension", dice.choice((2, 3))] if of_points else []
+    dimension = ["--dimension", 2 if kind == "flats" else dice.choice((2, 3))] if of_points else []
     ended = programs.run("generate", family, "--points", dice.randint(6, 10), "--seed", number, *dimension, "-o", path, "--quiet")
     return path if ended.returncode == 0 else None
 
 
+def rows_of(path):
+    """The header and the rows of a file, as words."""
+    header, *rows = [line.split() for line in path.read_text().splitlines() if line and not line.startswith("#")]
+    return header, rows
+
+
+def write_rows(path, header, rows):
+    path.write_text("\n".join(" ".join(map(str, row)) for row in [header, *rows]) + "\n")
+
+
+def tilted(points, dice):
+    """Moves points of the plane into a plane of space, along one of the axes."""
+    header, rows = rows_of(points)
+    a, b, axis = dice.randrange(-2, 3), dice.randrange(-2, 3), dice.randrange(3)
+    for row in rows:
+        unseen = a * Fraction(row[1]) + b * Fraction(row[2])
+        row[1:3] = [*row[1:1 + axis], unseen, *row[1 + axis:3]]
+    write_rows(points, [header[0], 3, 0, 0], [row[:4] for row in rows])
+
+
+def leave_facets(mesh):
+    """Of a triangulation leaves the facets that are in one simplex."""
+    _, rows = rows_of(mesh)
+    facets = collections.Counter(facet for row in rows for facet in itertools.combinations(sorted(row[1:], key=int), len(row) - 2))
+    hull = [facet for facet, count in facets.items() if count == 1]
+    write_rows(mesh, [len(hull), len(hull[0]) if hull else 2], [[i, *facet] for i, facet in enumerate(hull)])
+
+
 def broken(mesh, dice):
     """Changes one thing about the simplices of an .ele file."""
-    header, *rows = [line.split() for line in mesh.read_text().splitlines() if line and not line.startswith("#")]
+    header, rows = rows_of(mesh)
     if not rows:
         return
     row = dice.randrange(len(rows))
@@ -100,16 +138,15 @@ def broken(mesh, dice):
         i, j = dice.randrange(1, len(rows[row])), dice.randrange(1, len(rows[other]))
         rows[row][i], rows[other][j] = rows[other][j], rows[row][i]
     first = int(rows[0][0]) if rows else 0
-    lines = [" ".join([str(len(rows)), *header[1:]])]
-    lines += [" ".join([str(first + i), *each[1:]]) for i, each in enumerate(rows)]
-    mesh.write_text("\n".join(lines) + "\n")
+    write_rows(mesh, [len(rows), *header[1:]], [[first + i, *each[1:]] for i, each in enumerate(rows)])
 
 
 class Subject:
     """A file that circumspect-verified reads, the user's files it is about, and what is so of these."""
 
-    def __init__(self, programs, file, own, judge):
+    def __init__(self, programs, file, own, judge, kind=None):
         self.programs, self.file, self.own, self.judge = programs, file, own, judge
+        self.kind = kind  # of a domain
 
     def hold(self):
         line, code = self.programs.answer(self.file, *self.own)
@@ -125,7 +162,7 @@ class Subject:
 def judged_mesh(programs, mesh, domain, kind):
     """Asks whether a line of circumspect-verified is so, of the user's files or, without them, of this mesh: the oracle's verdict."""
     def judge(line, own):
-        about = [own[1]] if own else [mesh]
+        about = [own[1]] if len(own) > 1 else [mesh]
         stated = re.match("verified: (not )?([a-z-]+)", line)
         if stated is None:
             raise Wrong(line)
@@ -151,6 +188,8 @@ def certified(programs, kind, folder, number, dice, counts):
         return None
     mesh = folder / "mesh.ele"
     about, own_domain, which = [], [], None
+    if kind == "flats":
+        tilted(path, dice)
     if kind != "domain":
         weighted = path.read_text().split(None, 3)[2] == "1"
         claim = "weighted-delaunay" if weighted else dice.choice(CLAIMS[kind])
@@ -166,7 +205,10 @@ def certified(programs, kind, folder, number, dice, counts):
     if ended.returncode != 0:
         counts[f"{kind}: not meshed"] += 1
         return None
-    for _ in range(dice.randrange(4) if kind == "alone" else dice.randrange(2)):
+    if kind == "hulls":
+        leave_facets(mesh)
+    faults = {"alone": (0, 1, 2, 3), "hulls": (0, 0, 0, 1)}  # that facets are none of a hull is not refuted
+    for _ in range(dice.choice(faults.get(kind, (0, 1)))):
         broken(mesh, dice)
     file = folder / "file"
     ended = programs.run("certify", mesh, *about, "--claim", claim, "--by", "definition", "--quiet", "-o", file, "--limit", "20s")
@@ -180,7 +222,8 @@ def certified(programs, kind, folder, number, dice, counts):
     if ended.returncode not in (0, 1):
         raise Wrong(f"certify {mesh} {about}: {ended.stderr}")
     counts[f"{kind}: {'certificates' if ended.returncode == 0 else 'refutations'}"] += 1
-    return Subject(programs, file, [mesh.with_suffix(".node"), mesh, *own_domain], judged_mesh(programs, mesh, path if about else None, which))
+    return Subject(programs, file, [mesh.with_suffix(".node"), mesh, *own_domain], judged_mesh(programs, mesh, path if about else None, which),
+                   which)
 
 
 def impossible(programs, folder, number, dice, counts):
@@ -273,41 +316,45 @@ def forged(text, others, dice):
 
 
 def hold_forgeries(subject, count, others, folder, dice, counts):
-    """Forgeries of one file, each compared with the user's files or, now and then, with nothing."""
+    """Forgeries of one file, each compared with the user's files or, now and then, with no mesh."""
     text = subject.file.read_text()
-    file = folder / "forgery"
+    file, mesh = folder / "forgery", folder / "forgery.json"
+    of_mesh = not text.startswith("circumspect-impossibility")
+    domain = subject.own[2:]
     for _ in range(count):
-        file.write_text(forged(text, others, dice))
-        own = subject.own
-        if not text.startswith("circumspect-impossibility") and len(own) == 2 and dice.random() < 0.3:
-            own = []
+        forgery = rebuilding.rebuilt(text, dice) if text.startswith("circumspect-certificate") and dice.random() < 0.5 else None
+        is_rebuilt = forgery is not None
+        file.write_text(forgery if is_rebuilt else forged(text, others, dice))
+        # Of a mesh that is another the user's own would tell.
+        own = domain if of_mesh and (is_rebuilt or dice.random() < 0.3) else subject.own
         line, code = subject.programs.answer(file, *own)
         word = line.split(":", 1)[0] if code != 0 else "verified, and so"
-        counts[f"forgeries: {word}"] += 1
+        counts[f"{'rebuilt' if is_rebuilt else 'forgeries'}: {word}"] += 1
         if code != 0:
             continue
-        if own:
+        if own == subject.own:
             subject.judge(line, own)
             continue
-        mesh = folder / "forgery.json"
         mesh.write_text(subprocess.run([subject.programs.verified, "--mesh", file], capture_output=True, text=True, check=True).stdout)
         subject.programs.truths.clear()
-        judged_mesh(subject.programs, mesh, None, None)(line, [])
+        judged_mesh(subject.programs, mesh, domain[0] if domain else None, subject.kind)(line, [])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("circumspect")
     parser.add_argument("verified")
-    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("alone", 20), ("forgeries", 8), ("seed", 1)):
+    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("alone", 20), ("hulls", 20), ("flats", 10), ("forgeries", 8), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=default)
     asked = parser.parse_args()
     programs = Programs(str(pathlib.Path(asked.circumspect).resolve()), str(pathlib.Path(asked.verified).resolve()))
     dice = random.Random(asked.seed)
     counts, others = collections.Counter(), []
-    makers = {"domain": lambda *a: certified(programs, "domain", *a), "impossible": lambda *a: impossible(programs, *a),
-              "points": lambda *a: certified(programs, "points", *a), "alone": lambda *a: certified(programs, "alone", *a)}
-    work = ["domain"] * asked.domains + ["impossible"] * asked.impossible + ["points"] * asked.points + ["alone"] * asked.alone
+    makers = {kind: functools.partial(certified, programs, kind) for kind in CLAIMS}
+    makers["impossible"] = functools.partial(impossible, programs)
+    numbers = {"domain": asked.domains, "impossible": asked.impossible, "points": asked.points, "alone": asked.alone, "hulls": asked.hulls,
+               "flats": asked.flats}
+    work = [kind for kind, number in numbers.items() for _ in range(number)]
     dice.shuffle(work)
     with tempfile.TemporaryDirectory() as scratch:
         for number, kind in enumerate(work):

@@ -1,10 +1,14 @@
 // D2: every construction returns the one canonical Delaunay triangulation. Book: Theorem 4.4,
 // Section 5.2; the perturbation of Section 2.9.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <doctest/doctest.h>
 
+#include "construct/insertion_order.hpp"
+#include "inputs/dice.hpp"
+#include "inputs/in_doubles.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/arguments/laws.hpp"
@@ -76,6 +80,51 @@ TEST_CASE("D2 D10 every construction agrees on sets of every family, with weight
       assert_agreement(PointSet(set.points, set.weights), *rc::gen::arbitrary<std::uint64_t>());
     }));
   }
+}
+
+TEST_CASE("D2 D10 the fast construction makes the canonical triangulation of sets of doubles") {
+  for (const std::size_t d : {2u, 3u}) {
+    CAPTURE(d);
+    std::size_t given = 0;
+    CHECK(holds("one canonical triangulation", 400, [&] {
+      const PointsCase set = generators::in_doubles(*generators::any_case(d, 25));
+      const auto agrees = fast_agrees(PointSet(set.points, set.weights));
+      given += agrees ? 1u : 0u;
+      RC_ASSERT(agrees != false);
+    }));
+    CHECK(occurs(given, 200));
+  }
+}
+
+double length_of_path(const std::vector<double>& coordinates,
+                      const std::vector<std::int32_t>& order, std::size_t from) {
+  double length = 0;
+  for (std::size_t i = from + 1; i < order.size(); ++i) {
+    const auto a = static_cast<std::size_t>(order[i - 1]), b = static_cast<std::size_t>(order[i]);
+    length += std::hypot(coordinates[3 * a] - coordinates[3 * b],
+                         coordinates[3 * a + 1] - coordinates[3 * b + 1],
+                         coordinates[3 * a + 2] - coordinates[3 * b + 2]);
+  }
+  return length;
+}
+
+TEST_CASE("the fast construction inserts each point once, and near ones one after the other") {
+  generators::Dice dice(7);
+  std::vector<double> coordinates;
+  for (int i = 0; i < 3 * 4096; ++i) {
+    coordinates.push_back(static_cast<double>(dice.bits() >> 11) * 0x1p-53);
+  }
+  std::vector<std::int32_t> as_given(4096);
+  std::iota(as_given.begin(), as_given.end(), 0);
+  const auto order = construct::insertion_order(coordinates, 3);
+  CHECK(std::is_permutation(order.begin(), order.end(), as_given.begin(), as_given.end()));
+  // The last round has half of the points: neighbours on the curve are about 1/13 apart, points as
+  // given 2/3. A round before it spreads over the whole cube too.
+  CHECK(length_of_path(coordinates, order, 2048) <
+        0.2 * length_of_path(coordinates, as_given, 2048));
+  const std::vector<std::int32_t> start(order.begin(), order.begin() + 1024);
+  CHECK(length_of_path(coordinates, start, 0) < 0.3 * length_of_path(coordinates, as_given, 3072));
+  CHECK(length_of_path(coordinates, start, 0) > 0.05 * length_of_path(coordinates, as_given, 3072));
 }
 
 // The same set of simplices after the points have been put in another order.

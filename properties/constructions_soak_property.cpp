@@ -2,6 +2,7 @@
 // Theorem 4.4, Sections 4.2, 4.4, 5.2 to 5.6.
 #include <doctest/doctest.h>
 
+#include "inputs/in_doubles.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/every_construction.hpp"
@@ -29,6 +30,16 @@ TEST_CASE("D2 every construction agrees on 500 small degenerate sets in each dim
   for (const std::size_t d : {2u, 3u, 4u}) {
     CAPTURE(d);
     CHECK(holds("one canonical triangulation", 500, [d] { assert_agreement(d, 10); }));
+  }
+}
+
+TEST_CASE("D2 D10 the fast construction agrees on ten thousand sets of doubles") {
+  for (const std::size_t d : {2u, 3u}) {
+    CAPTURE(d);
+    CHECK(holds("one canonical triangulation", 5000, [d] {
+      const auto set = generators::in_doubles(*generators::any_case(d, *rc::gen::element(12, 80)));
+      RC_ASSERT(fast_agrees(PointSet(set.points, set.weights)) != false);
+    }));
   }
 }
 

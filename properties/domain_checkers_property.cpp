@@ -3,10 +3,12 @@
 // changes no word of the verdict. Book: Definitions 4.4 to 4.7, Lemma 4.10.
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
@@ -35,6 +37,15 @@ constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulat
 // How often the fast judge knew something of a mesh that it was asked about.
 std::size_t known = 0;
 
+// How many simplices and listed faces are wrong by themselves, rule by rule.
+std::map<Rule, std::size_t> wrong_alone(const Verdict& verdict) {
+  std::map<Rule, std::size_t> counts;
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    if (stage(rule) == Stage::kSimplices) counts[rule] = tally.count;
+  }
+  return counts;
+}
+
 // The common answers of both ways.
 std::map<Claim, bool> judged(const ExactMesh& mesh, const PiecewiseLinearComplex& complex) {
   const Domain domain{complex};
@@ -45,8 +56,14 @@ std::map<Claim, bool> judged(const ExactMesh& mesh, const PiecewiseLinearComplex
     RC_ASSERT(check::text_of(quick, mesh) == check::text_of(verdict, mesh));
     known += quick.course.fast ? 1U : 0U;
     const bool by_lemma = verdict.holds();
-    const bool by_definition =
-        check::judge_exactly(claim, mesh, &domain, {.by = check::By::kDefinition}).holds();
+    const Verdict defined =
+        check::judge_exactly(claim, mesh, &domain, {.by = check::By::kDefinition});
+    const bool by_definition = defined.holds();
+    RC_ASSERT(wrong_alone(verdict) == wrong_alone(defined));
+    if (by_lemma && by_definition) {
+      RC_ASSERT(quick.dangling == defined.dangling);
+      RC_ASSERT(verdict.dangling == defined.dangling);
+    }
     RC_LOG() << name(claim) << " by lemma: " << by_lemma << ", by definition: " << by_definition
              << "\n";
     RC_ASSERT(by_lemma == by_definition);
@@ -133,6 +150,63 @@ TEST_CASE("C1 lemma and definition agree on altered CDTs") {
     for (const auto& [claim, answer] : judged(mesh, complex)) hold[claim] += answer ? 1u : 0u;
   }));
   CHECK(occurs(hold[Claim::kPlcTriangulation]));
+}
+
+// Three points of space on a line: the first such after any place in the list, or none.
+std::optional<Simplex> any_flat_face(const ExactMesh& mesh) {
+  const auto points = static_cast<Vertex>(mesh.points.size());
+  if (mesh.points.ambient_dimension() < 3 || points < 3) return std::nullopt;
+  const Vertex first = *generators::below(points);
+  for (Vertex i = 0; i < points; ++i) {
+    for (Vertex j = i + 1; j < points; ++j) {
+      for (Vertex k = j + 1; k < points; ++k) {
+        const Simplex face = {(first + i) % points, (first + j) % points, (first + k) % points};
+        if (affine_hull(coordinates(mesh.points, face)).dimension < 2) return face;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// A face of a simplex, or any vertices of the mesh: flat, twice the same, or of no point at all.
+Simplex any_face(const ExactMesh& mesh) {
+  const auto d = static_cast<long>(mesh.points.ambient_dimension());
+  const auto points = static_cast<long>(mesh.points.size());
+  Simplex face;
+  if (*generators::below(4) == 0) {
+    if (const auto flat = any_flat_face(mesh)) return *flat;
+  }
+  if (!mesh.simplices.empty() && *generators::below(2) == 0) {
+    const auto s = *generators::below(static_cast<long>(mesh.simplices.size()));
+    face = mesh.simplices[static_cast<std::size_t>(s)];
+    while (static_cast<long>(face.size()) > d || (face.size() > 2 && *generators::below(3) == 0)) {
+      face.erase(face.begin() + *generators::below(static_cast<long>(face.size())));
+    }
+    return face;
+  }
+  for (long size = 2 + *generators::below(d - 1); size > 0; --size) {
+    face.push_back(*generators::below(40) == 0 ? points : *generators::below(points));
+  }
+  return face;
+}
+
+TEST_CASE("C1 lemma and definition agree on CDTs that list any faces besides") {
+  std::map<Claim, std::size_t> hold;
+  std::size_t fail = 0;
+  CHECK(holds("both ways agree", 200, [&] {
+    const ComplexCase one = any_domain();
+    const PiecewiseLinearComplex complex = one.complex();
+    const auto cdt = cdt_of(complex);
+    if (!cdt || cdt->simplices.empty()) return;
+    ExactMesh mesh = mesh_of(complex.points, *cdt);
+    for (long more = 1 + *generators::below(2); more > 0; --more) {
+      mesh.faces.push_back(any_face(mesh));
+    }
+    print(mesh);
+    for (const auto& [claim, answer] : judged(mesh, complex)) ++(answer ? hold[claim] : fail);
+  }));
+  CHECK(occurs(hold[Claim::kCdt]));
+  CHECK(occurs(fail));
 }
 
 // The triangles, segments and vertices of the triangulation that lie in cells of lower dimension.

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "construct/delaunay.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -38,8 +42,32 @@ inline std::vector<NamedConstruction> insertions(std::uint64_t seed) {
   return all;
 }
 
+// Does the fast construction make the book's triangulation, and know whether it is the only one?
+// Nothing if it leaves the points to the book.
+inline std::optional<bool> fast_agrees(const PointSet& points) {
+  const auto fast = construct::canonical_delaunay(points);
+  if (!fast) return std::nullopt;
+  const Triangulation expected = delaunay::bowyer_watson(points);
+  const bool knows_if_unique =
+      points.is_weighted() ||
+      fast->is_unique == !delaunay::cospherical_points_of_an_empty_ball(points, expected);
+  bool is_oriented = true;
+  for (std::size_t i = 0; i < fast->simplices.rows(); ++i) {
+    const auto row = fast->simplices.row(i);
+    is_oriented &= orientation(points.configuration(), Simplex(row.begin(), row.end())) > 0;
+  }
+  return fast->triangulation() == expected && knows_if_unique && is_oriented;
+}
+
+// The fast construction; where it leaves an answer to the book, the book's.
+inline Triangulation fast_or_by_the_book(const PointSet& points) {
+  const auto fast = construct::canonical_delaunay(points);
+  return fast ? fast->triangulation() : delaunay::bowyer_watson(points);
+}
+
 inline std::vector<NamedConstruction> every_construction(std::uint64_t seed) {
   std::vector<NamedConstruction> all = insertions(seed);
+  all.push_back({"fast", fast_or_by_the_book});
   all.push_back({"gift-wrapping", [](const PointSet& p) { return delaunay::gift_wrapping(p); }});
   all.push_back({"gift-wrapping by cells", delaunay::gift_wrapping_by_cells});
   all.push_back({"lifted hull", [](const PointSet& p) { return delaunay::lifted_hull(p); }});

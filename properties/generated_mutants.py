@@ -1,23 +1,24 @@
 #!/usr/bin/env python3
 """Mutants of the deciding code that nobody thought of: is each of them noticed by `make test`?
 
-    generated_mutants.py --check              every row of generated_mutants.tsv still applies to the sources; names the files
-                                              that are others than those that were tried
+    generated_mutants.py --check              every row of generated_mutants.tsv still applies to the sources
+    generated_mutants.py --untried            names the files that have changed since their mutants were tried
     generated_mutants.py WORK_FOLDER          makes them, compiles them, runs the tests; prints the table of docs/mutants.md,
                                               and one by operators; writes mutants_noticed.tsv, a row a file
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
     generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
     ... --count 700 --seed 20260101           how many of all there are, and which
     ... --files PATTERN                       only those of files whose names match this
-    ... --changed                             only those of files that are others than those that were tried
+    ... --changed                             only those of files that have changed since, or were never tried
     ... --only TEXT                           only the mutants whose description has this text
+    ... --tests PATTERN --seconds 60          which tests; a mutant survives those that together take so long
 
 mutant_places.py says what a mutant changes. The ones to try are those whose description has the lowest hash values, so that
 a change of one line leaves the choice of all others as it was.
 
 All mutants are compiled at once, as in mutants.py. First each test is run without a mutant and writes down which mutants it
-comes across; then each mutant is tried on these tests, those first that notice most in a second, until one fails, crashes
-or does not end.
+comes across; then each mutant is tried on these tests, until one fails, crashes or does not end. The tests that noticed most
+mutants of its file come first, of the others the quickest.
 A mutant that survives and is not in generated_mutants.tsv, with the reason why it changes no answer, is a failure; so is
 one that is in it and is killed.
 """
@@ -31,6 +32,7 @@ import os
 import pathlib
 import pickle
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -41,14 +43,20 @@ from mutant_places import NEVER, NOTHING, Mutant, generated
 from mutants import AS_IN_THE_MAKEFILE, ROOT
 
 ALL_TARGETS = ["all"]
+# Those of the command, of the corpus and of the pages take seconds for each mutant that survives.
+NEAR_TESTS = "^(kernel|oracle|properties)/"
 MEMORY = 8 << 30
 TABLE = "properties/generated_mutants.tsv"
 NOTICED = ROOT / "properties/mutants_noticed.tsv"
-# What decides: predicates, checkers, engine, readers.
+# What decides: predicates, definitions, checkers, engine, readers.
 GROUPS = {"predicates": ["kernel/predicates/*.cpp", "kernel/exact/linear_algebra.cpp"],
-          "exact checkers": ["oracle/judge/*.cpp", "oracle/judge/points/*.cpp", "oracle/judge/domain/*.[ch]pp"],
+          "definitions": ["oracle/judge/definition/*.cpp"],
+          "exact checkers": ["oracle/judge/*.cpp", "oracle/judge/conditions/*.hpp", "oracle/judge/points/*.cpp",
+                             "oracle/judge/domain/*.[ch]pp"],
           "other claims": ["oracle/judge/complex/*.cpp", "oracle/judge/convex_hull/*.cpp", "oracle/judge/surface/*.cpp",
-                           "oracle/judge/voronoi/*.cpp", "oracle/judge/quality/*.[ch]pp", "oracle/judge/cause/*.cpp"],
+                           "oracle/judge/voronoi/*.cpp", "oracle/judge/quality/*.[ch]pp", "oracle/judge/cause/*.cpp",
+                           "oracle/judge/periodic/*.cpp"],
+          "ranks": ["oracle/distributed/*.[ch]pp"],
           "beyond rounding": ["oracle/judge/within/*.[ch]pp", "oracle/domain/*.cpp"],
           "fast judge": ["oracle/judge/fast/*.[ch]pp", "oracle/judge/fast/predicates/*.[ch]pp"],
           "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"]}
@@ -100,9 +108,10 @@ def files():
 
 
 def chosen(all_mutants, seed, count):
+    """In an order that has nothing to do with where they are."""
     def rank(mutant):
         return hashlib.sha256("\t".join([str(seed), *mutant.key()]).encode()).digest()
-    return sorted(sorted(all_mutants, key=rank)[:count], key=lambda m: (m.file, m.place))
+    return sorted(all_mutants, key=rank)[:count]
 
 
 def with_mutants(source, inside, begin, end):
@@ -122,7 +131,7 @@ def with_mutants(source, inside, begin, end):
     return "".join([*out, source[at:end]])
 
 
-def write_sources(work, chosen_mutants):
+def write_sources(work, chosen_mutants, size):
     mutants.write_sources(work, [])
     by_file = collections.defaultdict(list)
     for mutant in chosen_mutants:
@@ -131,18 +140,23 @@ def write_sources(work, chosen_mutants):
         source = (ROOT / file).read_bytes().decode("latin-1")
         inside = sorted(by_file[file], key=lambda m: (m.place, -m.end))
         text = PRELUDE + with_mutants(source, inside, 0, len(source)).encode("latin-1").decode()
-        size = len(chosen_mutants) + 1
         mutants.write_if_new(work / file, text + (DEFINITION % (size, size) if file == mutants.HOME else ""))
+
+
+def number(chosen_mutants):
+    """They keep their numbers, so that files without a mutant that does not compile stay as they are. One more than the last."""
+    for count, mutant in enumerate(chosen_mutants, 1):
+        mutant.number = count
+    return len(chosen_mutants) + 1
 
 
 def build(work, chosen_mutants, targets):
     """Compiles them, and drops those of lines that do not compile, such as arguments of templates."""
-    subprocess.run(["cmake", "-DCIRCUMSPECT_QUICK_BUILD=ON", "-DCIRCUMSPECT_BUILD_TESTS=ON",
+    subprocess.run(["cmake", "-DCIRCUMSPECT_QUICK_BUILD=ON", "-DCIRCUMSPECT_BUILD_TESTS=ON", "-DCIRCUMSPECT_BUILD_MPI=ON",
                     "-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF", "--preset", "release"], cwd=work, check=True, stdout=subprocess.DEVNULL)
+    size = number(chosen_mutants)
     while True:
-        for number, mutant in enumerate(chosen_mutants, 1):
-            mutant.number = number
-        write_sources(work, chosen_mutants)
+        write_sources(work, chosen_mutants, size)
         run = subprocess.run(["cmake", "--build", "--preset", "release", "--target", *targets, "--", "-k", "0"],
                              cwd=work, check=False, capture_output=True, text=True, errors="replace")
         if run.returncode == 0:
@@ -191,36 +205,50 @@ def tests_of(work, targets, pattern):
     listed = json.loads(subprocess.run(["ctest", "--test-dir", "build/release", "--show-only=json-v1"], cwd=work, check=True,
                                        capture_output=True, text=True).stdout)["tests"]
     tests = [Test(work, description) for description in listed if "command" in description]
-    return [test for test in tests if "soak" not in test.labels and re.search(pattern, test.name)
-            and (targets == ALL_TARGETS or pathlib.PurePath(test.command[0]).name in targets)]
+    return [test for test in tests if not {"soak", "slow"} & set(test.labels) and re.search(pattern, test.name)
+            and (targets == ALL_TARGETS or any(pathlib.PurePath(word).name in targets for word in test.command))]
 
 
 def record(work, tests):
     """Runs each test without a mutant; leaves out those that come across none."""
-    for test in tests:
-        reached = work / "build/reached_mutants"
-        reached.unlink(missing_ok=True)
+    folder = work / "build/reached_mutants"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+
+    def run(test):
+        reached = folder / test.name.replace("/", ":")
         started = time.monotonic()
         if not test.passes(0, 3600, reached):
             print(f"left out, since it fails without a mutant: {test.name}", flush=True)
-            continue
-        test.seconds = time.monotonic() - started
-        if reached.is_file():
+        elif reached.is_file():
+            test.seconds = time.monotonic() - started
             test.reached = {int(line) for line in reached.read_text().splitlines()}
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(run, tests))
     return sorted((test for test in tests if test.reached), key=lambda test: test.seconds)
 
 
-def killer(mutant, tests, noticed):
-    """The name of the first test that notices it, or None. `noticed`: how many each test has noticed so far."""
-    for test in sorted(tests, key=lambda test: (test.seconds + 0.01) / (1 + noticed[test.name])):
-        if mutant.number in test.reached and not test.passes(mutant.number, 10 + 10 * test.seconds):
-            noticed[test.name] += 1
+def killer(mutant, tests, noticed, most):
+    """The name of the first test that notices it, or None if none does of those that take `most` seconds together.
+    `noticed`: how many mutants of a file each test has noticed so far."""
+    def cost(test):
+        return (test.seconds + 0.01) / (1 + 10 * noticed[mutant.file, test.name])
+    left = most
+    for test in sorted((test for test in tests if mutant.number in test.reached), key=cost):
+        if left < test.seconds:
+            continue
+        left -= test.seconds
+        if not test.passes(mutant.number, 10 + 5 * test.seconds):
+            noticed[mutant.file, test.name] += 1
             return test.name
     return None
 
 
 def digest(file):
-    return hashlib.sha256((ROOT / file).read_bytes()).hexdigest()[:12]
+    """Of what is not a comment."""
+    text = re.sub(r"\s*//[^\n]*|\s+", " ", (ROOT / file).read_text(encoding="utf-8"))
+    return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 
 def read_noticed():
@@ -231,24 +259,35 @@ def read_noticed():
     return {row[0]: row[1:] for row in rows}
 
 
-def write_noticed(killed, table):
-    """The rows of the files that were tried are new, and those of files that are gone are left out."""
+def write_noticed(killed, table, seconds):
+    """The rows of the files that were tried are new, and those of files that are gone are left out. `seconds`: of each mutant."""
     rows = {file: row for file, row in read_noticed().items() if (ROOT / file).is_file()}
     for file in {key[0] for key in killed}:
         names = [(key, name) for key, name in killed.items() if key[0] == file]
         same = sum(name is None and key in table for key, name in names)
         most = collections.Counter(name for _, name in names if name).most_common(1)
         dead = sum(name is not None for _, name in names)
-        rows[file] = [digest(file), *map(str, (len(names), dead, same, len(names) - dead - same)), most[0][0] if most else "-"]
-    lines = ["# generated_mutants.py writes this: a file and its digest when it was tried, how many mutants, how many of them were",
-             "# noticed, change no answer, survive; and the test that noticed most."]
+        took = sum(seconds.get(key, 0) for key, _ in names)
+        rows[file] = [digest(file), *map(str, (len(names), dead, same, len(names) - dead - same, round(took))),
+                      most[0][0] if most else "-"]
+    lines = ["# generated_mutants.py writes this: a file and its digest when its mutants were tried, how many, how many of them were",
+             "# noticed, change no answer, survive; how many seconds the tests took; and the test that noticed most."]
     lines += ["\t".join([file, *row]) for file, row in sorted(rows.items())]
     NOTICED.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def changed(names):
+    """Those that have changed since their mutants were tried, and those whose mutants never were."""
     known = read_noticed()
-    return [file for file in names if known.get(file, [""])[0] != digest(file)]
+    others = [file for file in names if file in known and known[file][0] != digest(file)]
+    return others, [file for file in names if file not in known]
+
+
+def say_what_is_untried(names):
+    others, _ = changed(names)
+    if others:
+        print(f"{len(others)} files that decide have changed since their mutants were tried, such as {others[0]}: "
+              "make mutants-generated CHANGED=1")
 
 
 def read_table():
@@ -316,16 +355,18 @@ def main():
     parser.add_argument("--files", type=re.compile, default=re.compile(""))
     parser.add_argument("--changed", action="store_true")
     parser.add_argument("--targets", type=lambda text: text.split(","), default=ALL_TARGETS, help="test programs, parted by commas")
-    parser.add_argument("--tests", default="", help="a pattern of names of tests")
+    parser.add_argument("--tests", default=NEAR_TESTS, help="a pattern of names of tests")
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--untried", action="store_true")
     parser.add_argument("--again", action="store_true", help="only those that survived the last time")
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
+    names = [file for file in files() if options.files.search(file)]
+    if options.untried:
+        return say_what_is_untried(names)
     table = read_table()
     wrong = list(faults(table))
     print("\n".join([*wrong, f"generated mutants with a reason to survive: {len(table)}, {len(wrong)} faults"]))
-    names = [file for file in files() if options.files.search(file)]
-    if options.check and (others := changed(names)):
-        print(f"{len(others)} of {len(names)} files are others than those that were tried: make mutants-generated CHANGED=1")
     if wrong or options.check:
         return 1 if wrong else 0
     if options.work is None:
@@ -341,24 +382,29 @@ def main():
         open_ones = {key for key, name in killed.items() if name is None and options.only in "\t".join(key)}
         tried = [m for m in all_of(work, sorted({key[0] for key in open_ones})) if m.key() in open_ones]
     else:
-        tried = chosen(all_of(work, changed(names) if options.changed else names), options.seed, options.count)
+        tried = chosen(all_of(work, sum(changed(names), []) if options.changed else names), options.seed, options.count)
     if options.sources:
-        for number, mutant in enumerate(tried, 1):
-            mutant.number = number
-        write_sources(work, tried)
+        write_sources(work, tried, number(tried))
         return 0
     to_try = build(work, [m for m in tried if options.only in "\t".join(m.key())], options.targets)
     tests = record(work, tests_of(work, options.targets, options.tests))
     print(f"{len(to_try)} mutants, {len(tests)} tests that come across one", flush=True)
-    noticed = collections.Counter()
+    noticed, seconds = collections.Counter(), {}
+
+    def timed_killer(mutant):
+        started = time.monotonic()
+        name = killer(mutant, tests, noticed, options.seconds)
+        seconds[mutant.key()] = time.monotonic() - started
+        return name
+
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for mutant, name in zip(to_try, pool.map(lambda m: killer(m, tests, noticed), to_try)):
+        for mutant, name in zip(to_try, pool.map(timed_killer, to_try)):
             killed[mutant.key()] = name
             state = f"killed by {name}" if name else "changes no answer" if mutant.key() in table else "SURVIVES"
             print("\t".join([state, f"{mutant.file}:{mutant.line_number}", mutant.line, mutant.other]), flush=True)
-    results.write_text(json.dumps(list(killed.items())))
+            results.write_text(json.dumps(list(killed.items())))
     if not options.only:
-        write_noticed(killed, table)
+        write_noticed(killed, table, seconds)
     print_table(killed, table)
     print_operators(killed, table)
     alive = [key for key, name in killed.items() if name is None and key not in table]

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "construct/edge_protection.hpp"
+#include "inputs/in_doubles.hpp"
 #include "kernel/complex/circumball.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -233,6 +235,38 @@ TEST_CASE("C8 the canonical triangulation tells which segments are (strongly) De
       RC_ASSERT(mean == a + along * (b - a));
     }
   }));
+}
+
+TEST_CASE("C8 the fast construction tells the same of all segments") {
+  std::size_t strong = 0, weak = 0, missing = 0;
+  CHECK(holds("edge protection", 150, [&] {
+    const bool in_plane = *rc::gen::arbitrary<bool>();
+    const ComplexCase one = in_plane ? *small_planar_complexes() : *small_complexes();
+    const PointSet points(generators::in_doubles(generators::PointsCase{one.input.points}).points);
+    std::vector<Simplex> pairs;
+    Simplex pair = first_subset(2);
+    if (points.size() >= 2) {
+      do pairs.push_back(pair);
+      while (next_subset(pair, points.size()));
+    }
+    const PiecewiseLinearComplex complex{points, pairs, {}, {}, DomainKind::kHull};
+    const construct::EdgeProtection protection(complex);
+    const auto facts = protection.segments();
+    const auto expected = edge_protection(complex);
+    RC_ASSERT(protection.holds_under_perturbation() ==
+              constrained::is_edge_protected_under_perturbation(expected));
+    RC_ASSERT(facts.size() == expected.size());
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+      RC_ASSERT(facts[i].segment == expected[i].segment);
+      RC_ASSERT(facts[i].is_present == expected[i].is_present);
+      RC_ASSERT(facts[i].delaunayhood == expected[i].status.delaunayhood);
+      RC_ASSERT(facts[i].encroaching == constrained::encroaching_vertex(points, expected[i]));
+      ++(!facts[i].is_present ? missing : facts[i].is_strong() ? strong : weak);
+    }
+  }));
+  CHECK(occurs(strong, 100));
+  CHECK(occurs(weak, 100));
+  CHECK(occurs(missing, 100));
 }
 
 TEST_CASE("C8 segment recovery makes any complex edge-protected in both readings") {

@@ -1,4 +1,6 @@
 """Which part of a domain is filled, and which of its polygons are joined, as in the command. Run by pytest."""
+import decimal
+import json
 import pathlib
 import subprocess
 import types
@@ -108,3 +110,102 @@ def test_campaigns_say_which_domains_they_take():
             circumspect.minimize(lambda domain: [], circumspect.Domain(RINGS, LOOPS, **options))
     fewer = circumspect.domains.with_cells_of(circumspect.Domain(RINGS, LOOPS, kind="even-odd"), range(8), [])
     assert filled_area(fewer) == pytest.approx(80)
+
+
+# A square of 16 with a hole of 4, in which an island of 1 lies, and a square beside it that has an
+# edge in common with it: as rings of polygons.
+OUTLINE, HOLE = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [1, 3], [3, 3], [3, 1]]
+ISLAND, BESIDE = [[1.5, 1.5], [2.5, 1.5], [2.5, 2.5], [1.5, 2.5]], [[4, 0], [5, 0], [5, 4], [4, 4]]
+SEVERAL = [[OUTLINE, HOLE], [ISLAND], [BESIDE]]
+WKT = ("SRID=4326;MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1)),\n"
+       " ((1.5 1.5, 2.5 1.5, 2.5 2.5, 1.5 2.5)), ((4 0, 5 0, 5 4, 4 4)))")
+COLLECTION = {"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"type": ["none"]}, "geometry": {"type": "MultiPolygon", "coordinates": SEVERAL}},
+    {"type": "Feature", "geometry": None}]}
+
+
+@pytest.mark.parametrize("shape, area", [
+    (OUTLINE, 16), (np.array(OUTLINE), 16), ([OUTLINE, HOLE], 12), ([np.array(OUTLINE), np.array(HOLE)], 12), (SEVERAL, 17),
+    (WKT, 17), (WKT.lower(), 17), (COLLECTION, 17), (json.dumps(COLLECTION), 17), (types.SimpleNamespace(
+        __geo_interface__={"type": "Polygon", "coordinates": (tuple(map(tuple, OUTLINE)), tuple(map(tuple, HOLE)))}), 12),
+    ([OUTLINE, HOLE, ISLAND], 13), ([OUTLINE, OUTLINE, HOLE, BESIDE], 8), ([[[*p, 7] for p in ring] for ring in (OUTLINE, HOLE)], 12),
+    ("POLYGON Z ((0 0 1, 4 0 1, 0 4 1, 0 0 1)) POLYGONZM((4 0 1 8, 4 4 1 9, 0 4 1 8))", 16),
+    ("GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4)), LINESTRING (0 0, 0 4), MULTIPOINT ((3 1), (3 2)), POINT EMPTY)", 8)])
+def test_polygons_are_given_as_rings(shape, area, tmp_path):
+    domain = circumspect.Domain.from_rings(shape)
+    assert filled_area(domain) == pytest.approx(area)
+    everything = circumspect.Domain.from_rings(shape, kind="enclosed")
+    assert filled_area(everything) > area - 1e-9
+    built = circumspect.constrained_delaunay(domain)
+    if isinstance(shape, list) and not len(built.edges) and COMMAND.exists():  # the command reads them from a file
+        (tmp_path / "d.json").write_text(json.dumps(shape, default=np.ndarray.tolist), encoding="utf-8")
+        rows = built.simplices
+        np.savez(tmp_path / "d.npz", points=np.array(domain.points, float), simplices=rows)
+        told = subprocess.run([COMMAND, "check", tmp_path / "d.npz", "--domain", tmp_path / "d.json", "--claim", "cdt"],
+                              capture_output=True, text=True, check=False)
+        assert told.returncode == 0, told.stdout + told.stderr
+
+
+def test_numbers_of_rings_are_exact():
+    tenths = "POLYGON ((0.1 0, 0.3 0, 0.1 1/3))"
+    assert circumspect.Domain.from_rings(tenths).points[0][0] == Fraction(0.1)
+    assert circumspect.Domain.from_rings(tenths, coordinates="decimal").points[0][0] == Fraction(1, 10)
+    listed = [[decimal.Decimal("0.1"), 0], [Fraction(1, 3), 0], [0, 1]]
+    assert circumspect.Domain.from_rings(listed).points[:2, 0].tolist() == [Fraction(1, 10), Fraction(1, 3)]
+    text = '{"type": "Polygon", "coordinates": [[[0.1, 0], [1, 0], [0, 1]]]}'
+    assert circumspect.Domain.from_rings(text, coordinates="decimal").points[0][0] == Fraction(1, 10)
+    # A mesh may be held against such a text; the hole is empty.
+    square = "POLYGON ((0 0, 2 0, 2 2, 0 2))"
+    assert circumspect.check([[0, 0], [2, 0], [2, 2], [0, 2]], [[0, 1, 2], [0, 2, 3]], domain=square).claim == "cdt"
+    assert not circumspect.check([[0, 0], [2, 0], [2, 2], [0, 2]], [[0, 1, 2]], domain=square)
+
+
+@pytest.mark.parametrize("shape, message", [
+    ("POLYGON ((0 0, 4 0, 4 4)", "line 1 of WKT: expected ',' or '\\)', found the end"),
+    ("POLYGON (0 0, 4 0, 4 4)", r"expected '\(' or EMPTY, found '0'"),
+    ("\nCIRCULARSTRING (0 0, 1 1, 2 0)", "line 2 of WKT: expected a geometry of straight lines"),
+    ("POLYGON ((0 0, 4 x, 4 4))", "expected a number, found 'x'"), ("POLYGON ((0 0, 4, 4 4))", "2 or 3 coordinates"),
+    ("POLYGON EMPTY", "expected polygons, lines or points, found none"), ([[0, 0], [1, 0]], "at least 3 points, found 2"),
+    ([0, 1, 2], "found lists of depth 1"), ({"type": "Topology"}, "found 'Topology'"), ([[0, 0], [1, 0, 0], [0, 1]], "expected 2 coordinates"),
+    ({"type": "Polygon"}, "the key 'coordinates'"), ([[[0, 0, 0], [1, 0, 0], [0, 1, 1]], [[0, 0, 0]] * 3], "at least 3 points, found 1"),
+    ([[[0, 0, 0], [9, 0, 0], [0, 9, 1]], [[1, 1, 0], [2, 1, 0], [1, 2, 0]]], "polygons of one ring where the third coordinate differs")])
+def test_rings_that_are_none_are_refused(shape, message):
+    with pytest.raises(ValueError, match=message):
+        circumspect.Domain.from_rings(shape)
+
+
+def test_what_is_untidy_is_resolved_if_asked():
+    crossed = circumspect.Domain([[0, 0], [4, 0], [4, 4], [0, 4]], [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [1, 3]], resolve=True)
+    mesh = [[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]], [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    assert circumspect.check(*mesh, domain=crossed).claim == "cdt"
+    missing = circumspect.check([[0, 0], [4, 0], [4, 4], [0, 4]], [[0, 1, 2], [0, 2, 3]], domain=crossed)
+    assert missing.rules.get("domain.vertex-missing") == 1 and "domain-vertex 4" in str(missing)
+    with pytest.raises(circumspect.InputError, match="plc.crossing-segments"):
+        circumspect.check(*mesh, domain={"points": crossed.points, "segments": crossed.segments})
+    # A bow tie covers both of its wings, and nothing else.
+    tie = circumspect.Domain.from_rings([[0, 0], [2, 2], [2, 0], [0, 2]], resolve=True)
+    wings = [[0, 0], [2, 2], [2, 0], [0, 2], [1, 1]]
+    assert circumspect.check(wings, [[0, 4, 3], [1, 4, 2]], domain=tie)
+    assert "domain.outside" in circumspect.check(wings, [[0, 4, 3], [1, 4, 2], [0, 2, 4]], domain=tie).rules
+
+
+def test_equal_points_of_a_domain_are_merged_with_those_of_the_mesh():
+    doubled = [[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]
+    domain = circumspect.Domain(doubled, [[0, 1], [1, 2], [2, 3], [3, 4], [0, 4]])
+    with pytest.raises(circumspect.InputError, match="plc.duplicate-vertex"):
+        circumspect.check(doubled[:4], [[0, 1, 2], [0, 2, 3]], domain=domain)
+    assert circumspect.check(doubled, [[0, 1, 2], [4, 2, 3]], domain=domain, duplicates="merge").claim == "cdt"
+    fails = circumspect.check(doubled, [[0, 1, 2]], domain=domain, duplicates="merge")
+    assert fails.rules["domain.segment-missing"] == 2
+
+
+def test_a_terrain_is_seen_from_above():
+    terrain = [[0, 0, 1], [4, 0, 2], [4, 4, 0], [0, 4, 3], [2, 2, 5]], [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    assert not circumspect.check(*terrain) and circumspect.check(*terrain, drop="z").claim == "delaunay"
+    assert not circumspect.check(*terrain, "complex", drop="y")
+    exact = [[Fraction(x, 3) for x in row] for row in terrain[0]]
+    assert circumspect.check(exact, terrain[1], drop="z")
+    for faulty, message in (((*terrain, "w"), "found 'w'"), ((CUBE, [[0, 1, 2, 4]], "z"), "found simplices of 4 vertices"),
+                            ((RINGS, [[0, 1, 2]], "x"), "3 coordinates for drop, found 2")):
+        with pytest.raises(ValueError, match=message):
+            circumspect.check(*faulty[:2], drop=faulty[2])

@@ -1,17 +1,15 @@
-// circumspect._core: draws inputs from families, and makes them small.
+#include "python/inputs.hpp"
+
+#include <array>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
-
-#include <pybind11/functional.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 
 #include "fuzz/campaign/domain_text.hpp"
 #include "fuzz/campaign/input.hpp"
@@ -24,51 +22,57 @@
 #include "inputs/triangulated/domain_families.hpp"
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/number_text.hpp"
+#include "python/arrays.hpp"
+#include "python/functions.hpp"
 
-namespace py = pybind11;
-
-namespace circumspect {
-
-void bind_inputs(py::module_& module);
-
+namespace circumspect::python {
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style>;
+// Points as n × d doubles, and n weights or nothing.
+struct Arrays {
+  Object points;
+  Object weights = {};
 
-// Points as (n × d doubles, n weights or None).
-py::tuple arrays_of(const generators::PointsCase& set, std::size_t dimension) {
+  std::pair<Object, Object> both() const { return {points, weights}; }
+};
+
+Arrays arrays_of(const generators::PointsCase& set, std::size_t dimension) {
   const PointArray points = generators::array(set, dimension);
-  const auto count = static_cast<py::ssize_t>(points.size());
-  py::object weights = py::none();
-  if (!points.weights.empty()) weights = Doubles(count, points.weights.data());
-  return py::make_tuple(
-      Doubles({count, static_cast<py::ssize_t>(dimension)}, points.coordinates.data()), weights);
+  Arrays arrays{new_array({points.size(), dimension}, std::span(points.coordinates))};
+  if (!points.weights.empty()) {
+    arrays.weights = new_array({points.size()}, std::span(points.weights));
+  }
+  return arrays;
+}
+
+std::size_t dimension_of(const Doubles& points) {
+  if (points.axes() != 2) throw std::invalid_argument("expected rows of coordinates");
+  return static_cast<std::size_t>(points.length(1));
 }
 
 generators::PointsCase set_of(const Doubles& points, const std::optional<Doubles>& weights) {
-  PointArray array{static_cast<std::size_t>(points.shape(1)), {}, {}};
-  array.coordinates.assign(points.data(), points.data() + points.size());
-  if (weights) array.weights.assign(weights->data(), weights->data() + weights->size());
+  PointArray array{dimension_of(points), {}, {}};
+  array.coordinates.assign(points.numbers().begin(), points.numbers().end());
+  if (weights) array.weights.assign(weights->numbers().begin(), weights->numbers().end());
   return generators::from(array);
 }
 
-py::list families() {
-  py::list all;
+auto families() {
+  std::vector<std::tuple<std::string, std::string, std::vector<std::size_t>, bool, bool>> all;
   for (const generators::Family& family : generators::modified_families()) {
     std::vector<std::size_t> dimensions;
     for (std::size_t d = 1; d <= 8; ++d) {
       if (family.exists_in(d)) dimensions.push_back(d);
     }
-    all.append(py::make_tuple(family.name, family.about, dimensions, family.weighted,
-                              family.repeats_points));
+    all.emplace_back(family.name, family.about, dimensions, family.weighted, family.repeats_points);
   }
   return all;
 }
 
-py::list domain_families() {
-  py::list all;
+auto domain_families() {
+  std::vector<std::tuple<std::string, std::string, std::size_t>> all;
   for (const generators::ComplexFamily& family : properties::domain_families()) {
-    all.append(py::make_tuple(family.name, family.about, family.dimension));
+    all.emplace_back(family.name, family.about, family.dimension);
   }
   return all;
 }
@@ -77,12 +81,12 @@ const generators::Family& family_in(const std::string& name, std::size_t dimensi
   return *harness::chosen_families({name}, dimension, false).front();
 }
 
-py::tuple generate(const std::string& name, std::size_t dimension, std::size_t max_points,
-                   std::uint64_t seed, bool fewer) {
+std::pair<Object, Object> generate(const std::string& name, std::size_t dimension,
+                                   std::size_t max_points, std::uint64_t seed, bool fewer) {
   const generators::Family& family = family_in(name, dimension);
   const generators::PointsCase set =
       generators::drawn(family, dimension, {max_points, !fewer}, seed);
-  return arrays_of(generators::in_doubles(set, family.repeats_points), dimension);
+  return arrays_of(generators::in_doubles(set, family.repeats_points), dimension).both();
 }
 
 // Coordinates as texts, row after row.
@@ -98,39 +102,47 @@ std::vector<std::string> generate_exact(const std::string& name, std::size_t dim
   return texts;
 }
 
-// A domain as the Python package represents it: (points, segments, polygons as lists of lines, hole
-// seeds, holes of polygons as pairs of a polygon and a seed, fills the hull?)
-py::tuple tuple_of(const PiecewiseLinearInput& input, std::size_t dimension) {
-  py::list polygons;
-  for (const PolygonLines& polygon : input.polygons) polygons.append(py::cast(polygon.lines));
-  py::list polygon_holes;
-  for (std::size_t p = 0; p < input.polygons.size(); ++p) {
-    for (const Point& seed : input.polygons[p].hole_seeds) {
+// A domain as the package represents it: points, segments, polygons as lists of lines, hole seeds,
+// holes of polygons as pairs of a polygon and a seed; does it fill the hull?
+using HoleOfPolygon = std::pair<std::size_t, std::vector<double>>;
+template <class Points>
+using DomainParts = std::tuple<Points, std::vector<std::vector<Vertex>>,
+                               std::vector<std::vector<std::vector<Vertex>>>, Points,
+                               std::vector<HoleOfPolygon>, bool>;
+using OwnDomain = DomainParts<Object>;
+
+OwnDomain parts_of(const PiecewiseLinearInput& input, std::size_t dimension) {
+  std::vector<std::vector<std::vector<Vertex>>> polygons;
+  std::vector<HoleOfPolygon> polygon_holes;
+  for (const PolygonLines& polygon : input.polygons) {
+    for (const Point& seed : polygon.hole_seeds) {
       std::vector<double> numbers;
       for (const Rational& x : seed) numbers.push_back(x.get_d());
-      polygon_holes.append(py::make_tuple(p, numbers));
+      polygon_holes.emplace_back(polygons.size(), numbers);
     }
+    polygons.push_back(polygon.lines);
   }
-  return py::make_tuple(arrays_of({input.points}, dimension)[0], input.segments, polygons,
-                        arrays_of({input.hole_seeds}, dimension)[0], polygon_holes,
-                        input.kind == DomainKind::kHull);
+  return {arrays_of({input.points}, dimension).points,
+          input.segments,
+          polygons,
+          arrays_of({input.hole_seeds}, dimension).points,
+          polygon_holes,
+          input.kind == DomainKind::kHull};
 }
 
-PiecewiseLinearInput input_of(const py::tuple& parts) {
-  const auto points = parts[0].cast<Doubles>();
+PiecewiseLinearInput input_of(const Object& domain) {
+  const auto [points, segments, polygons, hole_seeds, polygon_holes, is_hull] =
+      value_of<DomainParts<Doubles>>(domain.get());
   PiecewiseLinearInput input;
   input.points = set_of(points, std::nullopt).points;
-  input.segments = parts[1].cast<std::vector<std::vector<Vertex>>>();
-  for (auto& lines : parts[2].cast<std::vector<std::vector<std::vector<Vertex>>>>()) {
-    input.polygons.push_back({std::move(lines), {}});
-  }
-  input.hole_seeds = set_of(parts[3].cast<Doubles>(), std::nullopt).points;
-  for (const auto& [polygon, seed] :
-       parts[4].cast<std::vector<std::pair<std::size_t, std::vector<double>>>>()) {
+  input.segments = segments;
+  for (const auto& lines : polygons) input.polygons.push_back({lines, {}});
+  input.hole_seeds = set_of(hole_seeds, std::nullopt).points;
+  for (const auto& [polygon, seed] : polygon_holes) {
     Point& point = input.polygons.at(polygon).hole_seeds.emplace_back();
     for (const double x : seed) point.push_back(exact_value(x));
   }
-  if (parts[5].cast<bool>()) input.kind = DomainKind::kHull;
+  if (is_hull) input.kind = DomainKind::kHull;
   return input;
 }
 
@@ -145,15 +157,16 @@ PiecewiseLinearInput drawn_domain(const generators::ComplexFamily& family, std::
   return generators::in_doubles(generators::drawn(family, max_points, seed)).input;
 }
 
-py::tuple generate_domain(const std::string& name, std::size_t max_points, std::uint64_t seed) {
+OwnDomain generate_domain(const std::string& name, std::size_t max_points, std::uint64_t seed) {
   const generators::ComplexFamily& family = domain_family(name);
-  return tuple_of(drawn_domain(family, max_points, seed), family.dimension);
+  return parts_of(drawn_domain(family, max_points, seed), family.dimension);
 }
 
 // Case number `index` of a run on domains, taking the families in turn; without names, all families
 // of the dimension: (family, seed, domain).
-py::tuple drawn_domain_case(const std::vector<std::string>& names, std::size_t dimension,
-                            std::size_t max_points, std::uint64_t run_seed, std::uint64_t index) {
+std::tuple<std::string, std::uint64_t, OwnDomain> drawn_domain_case(
+    const std::vector<std::string>& names, std::size_t dimension, std::size_t max_points,
+    std::uint64_t run_seed, std::uint64_t index) {
   std::vector<const generators::ComplexFamily*> chosen;
   for (const std::string& name : names) chosen.push_back(&domain_family(name));
   if (names.empty()) {
@@ -168,40 +181,49 @@ py::tuple drawn_domain_case(const std::vector<std::string>& names, std::size_t d
         family.name, std::to_string(family.dimension), static_cast<std::int64_t>(dimension)));
   }
   const std::uint64_t seed = harness::mixed_seed(run_seed, index);
-  return py::make_tuple(family.name, seed,
-                        tuple_of(drawn_domain(family, max_points, seed), dimension));
+  return {family.name, seed, parts_of(drawn_domain(family, max_points, seed), dimension)};
 }
 
 // Case number `index` of a run: (family, seed, points, weights).
-py::tuple drawn_case(const std::vector<std::string>& names, std::size_t dimension, bool weighted,
-                     std::size_t max_points, std::uint64_t run_seed, std::uint64_t index) {
+std::tuple<std::string, std::uint64_t, Object, Object> drawn_case(
+    const std::vector<std::string>& names, std::size_t dimension, bool weighted,
+    std::size_t max_points, std::uint64_t run_seed, std::uint64_t index) {
   const auto chosen = harness::chosen_families(names, dimension, weighted);
   const harness::DrawnCase drawn =
       harness::drawn_case(chosen, dimension, max_points, run_seed, index);
-  const py::tuple arrays = arrays_of(drawn.set, dimension);
-  return py::make_tuple(drawn.family, drawn.seed, arrays[0], arrays[1]);
+  const Arrays arrays = arrays_of(drawn.set, dimension);
+  return {drawn.family, drawn.seed, arrays.points, arrays.weights};
+}
+
+// With the exponents of all coordinates in a range, as the command's campaigns draw them.
+std::pair<Object, Object> brought_within(const Doubles& points,
+                                         const std::optional<Doubles>& weights, std::int32_t least,
+                                         std::int32_t largest, bool may_repeat_points) {
+  return arrays_of(generators::brought_within(set_of(points, weights), {least, largest},
+                                              may_repeat_points),
+                   dimension_of(points))
+      .both();
 }
 
 // The smallest points found for which `still_fails(points, weights)` is true.
-py::tuple minimized(const Doubles& points, const std::optional<Doubles>& weights,
-                    const std::function<bool(const py::object&, const py::object&)>& still_fails,
-                    std::size_t tries, double seconds) {
-  const auto dimension = static_cast<std::size_t>(points.shape(1));
+std::pair<Object, Object> minimized(const Doubles& points, const std::optional<Doubles>& weights,
+                                    const Object& still_fails, std::size_t tries, double seconds) {
+  const std::size_t dimension = dimension_of(points);
   const auto fails = [&](const generators::PointsCase& set) {
     if (!harness::are_doubles(set)) return false;
-    const py::tuple arrays = arrays_of(set, dimension);
-    return still_fails(arrays[0], arrays[1]);
+    const Arrays arrays = arrays_of(set, dimension);
+    return value_of<bool>(called(still_fails, arrays.points, arrays.weights).get());
   };
-  return arrays_of(
-      generators::minimised(set_of(points, weights), fails,
-                            {.tries = tries, .time = std::chrono::duration<double>(seconds)}),
-      dimension);
+  return arrays_of(generators::minimised(
+                       set_of(points, weights), fails,
+                       {.tries = tries, .time = std::chrono::duration<double>(seconds)}),
+                   dimension)
+      .both();
 }
 
 // The same for domains. Requires: a valid domain.
-py::tuple minimized_domain(const py::tuple& domain,
-                           const std::function<bool(const py::object&)>& still_fails,
-                           std::size_t tries, double seconds) {
+OwnDomain minimized_domain(const Object& domain, const Object& still_fails, std::size_t tries,
+                           double seconds) {
   const generators::ComplexCase whole{"", input_of(domain)};
   const std::size_t dimension = whole.input.points.front().size();
   const auto fails = [&](const generators::ComplexCase& smaller) {
@@ -209,9 +231,10 @@ py::tuple minimized_domain(const py::tuple& domain,
     if (is_hull && PointSet(smaller.input.points).dimension() < static_cast<int>(dimension)) {
       return false;  // there is no such hull
     }
-    return campaign::is_of_doubles(smaller) && still_fails(tuple_of(smaller.input, dimension));
+    return campaign::is_of_doubles(smaller) &&
+           value_of<bool>(called(still_fails, object_of(parts_of(smaller.input, dimension))).get());
   };
-  return tuple_of(
+  return parts_of(
       generators::minimised(whole, fails,
                             {.tries = tries, .time = std::chrono::duration<double>(seconds)})
           .input,
@@ -219,21 +242,26 @@ py::tuple minimized_domain(const py::tuple& domain,
 }
 
 // As the text of a .poly file, counted from 0.
-std::string poly_text(const py::tuple& domain) { return campaign::poly_text(input_of(domain), 0); }
+std::string poly_text(const Object& domain) { return campaign::poly_text(input_of(domain), 0); }
 
 }  // namespace
 
-void bind_inputs(py::module_& module) {
-  module.def("families", &families);
-  module.def("domain_families", &domain_families);
-  module.def("generate", &generate);
-  module.def("generate_exact", &generate_exact);
-  module.def("generate_domain", &generate_domain);
-  module.def("drawn_case", &drawn_case);
-  module.def("drawn_domain_case", &drawn_domain_case);
-  module.def("minimized", &minimized);
-  module.def("minimized_domain", &minimized_domain);
-  module.def("poly_text", &poly_text);
+PyMethodDef* methods_of_inputs() {
+  static std::array methods = {
+      method<&families>("families"),
+      method<&domain_families>("domain_families"),
+      method<&generate>("generate"),
+      method<&generate_exact>("generate_exact"),
+      method<&generate_domain>("generate_domain"),
+      method<&drawn_case>("drawn_case"),
+      method<&drawn_domain_case>("drawn_domain_case"),
+      method<&brought_within>("brought_within"),
+      method<&minimized>("minimized"),
+      method<&minimized_domain>("minimized_domain"),
+      method<&poly_text>("poly_text"),
+      PyMethodDef{},
+  };
+  return methods.data();
 }
 
-}  // namespace circumspect
+}  // namespace circumspect::python

@@ -10,9 +10,8 @@
 #include <thread>
 
 #include <pthread.h>
-#include <pybind11/pybind11.h>
 
-namespace py = pybind11;
+#include "python/values.hpp"
 
 namespace circumspect {
 namespace {
@@ -154,7 +153,7 @@ Outcome made(const std::function<circumspect_status()>& call, double seconds) {
     outcome = outcome_of(call, seconds, Stop());
   }
   return_to_python(state);
-  if (is_interrupted) throw py::error_already_set();
+  if (is_interrupted) throw python::Raised();
   return outcome;
 }
 

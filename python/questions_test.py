@@ -1,5 +1,6 @@
-"""Hulls, surfaces and Voronoi diagrams in Python."""
-import fractions
+"""Hulls, surfaces, Voronoi diagrams and predicates in Python."""
+import decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -49,7 +50,7 @@ def test_what_is_no_diagram_is_refused():
     with pytest.raises(TypeError, match="expected vertices and cells beside sites"):
         circumspect.check_voronoi(SQUARE)
     with pytest.raises(TypeError, match="expected doubles as sites"):
-        circumspect.check_voronoi([[fractions.Fraction(1, 3), 0]], [[0, 0]], [[0]])
+        circumspect.check_voronoi([[Fraction(1, 3), 0]], [[0, 0]], [[0]])
 
 
 def test_a_mesh_that_repeats():
@@ -66,3 +67,38 @@ def test_a_mesh_that_repeats():
         judged(lattice=[1, 1], offsets=cells)
     with pytest.raises(ValueError, match="expected the claim periodic-delaunay beside lattice, found delaunay"):
         circumspect.check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "delaunay", lattice=[1, 1])
+
+
+# Numbers that are large, small, not dyadic or on a grid; and of types that are no plain numbers.
+PLAIN = [0, 1, 2, 3, 0.5, 0.1, 1 / 3, 2**53, -2**53, 2.0**60, 1e-300, np.float64(0.1)]
+OTHERS = [2**53 + 1, Fraction(1, 3), decimal.Decimal("0.1"), np.float32(0.1), np.int64(2)]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_predicates_of_plain_numbers_are_those_of_arrays(seed):
+    random = np.random.default_rng(seed)
+    dimension = int(random.integers(1, 5))
+    choice = PLAIN if seed % 2 else PLAIN[:6] + OTHERS
+    for predicate, count in ((circumspect.orient, dimension + 1), (circumspect.in_ball, dimension + 2)):
+        points = [tuple(choice[i] for i in random.integers(0, len(choice), dimension)) for _ in range(count)]
+        as_exact = [[Fraction(x if isinstance(x, (int, float, Fraction, decimal.Decimal)) else x.item()) for x in p] for p in points]
+        answers = []
+        for given in (points, [list(point) for point in points], as_exact):
+            try:
+                answers.append(predicate(*given))
+            except circumspect.InputError:  # points of a flat
+                answers.append("flat")
+        assert answers[0] == answers[1] == answers[2], (predicate, points)
+
+
+@pytest.mark.parametrize("points, error", [
+    ([(0, 0), (1, 0)], ValueError), ([(0, 0), (1, 0), (0, 1), (1, 1)], ValueError), ([], ValueError), ([(), ()], ValueError),
+    ([(0, 0), (1, 0), (0, float("nan"))], ValueError), ([(0, 0), (1, 0), (0, 1, 2)], ValueError),
+    ([(0, 0), (1, 0), (0, True)], None), ([(0, 0), (1, 0), (0, "1")], TypeError), ([(0, 0), (1, 0), "ab"], (TypeError, ValueError)),
+])
+def test_points_that_make_no_sense_to_a_predicate(points, error):
+    if error is None:
+        assert circumspect.orient(*points) == 1
+        return
+    with pytest.raises(error):
+        circumspect.orient(*points)

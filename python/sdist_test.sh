@@ -37,7 +37,7 @@ def ninja(*arguments):
     return subprocess.run(["ninja", "-C", build, *arguments], capture_output=True, text=True, check=True).stdout
 
 
-made_of = set(ninja("-t", "inputs", "circumspect_python").split("\n"))
+made_of = set(ninja("-t", "inputs", "circumspect_python", "circumspect_cli").split("\n"))
 files, reads = {name for name in made_of if name}, False
 for line in ninja("-t", "deps").split("\n"):
     if not line.startswith(" "):
@@ -55,7 +55,7 @@ PYTHON
 
 cd "$unpacked"
 quietly cmake -S . -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DPython3_EXECUTABLE="$(command -v "$python")" \
-  -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_BUILD_PYTHON=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_BUILD_COMMAND=OFF
+  -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_BUILD_PYTHON=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_PYTHON_COMMAND=ON
 [ "${3:-}" = --build ] || exit 0
 quietly "$python" -m venv --system-site-packages "$work/clean"
 quietly "$work/clean/bin/python" -m pip install --no-build-isolation "$work"/archives/*.tar.gz

@@ -42,6 +42,7 @@ cd "$work"
 "$work/clean/bin/python" - <<'PYTHON'
 import importlib.metadata
 import pathlib
+import re
 
 import circumspect
 import scipy.spatial
@@ -53,6 +54,13 @@ assert {"py.typed", "_core.pyi", "__main__.py"} <= files, files
 licences = {file.name for file in importlib.metadata.files("circumspect") if "licences" in file.parts}
 assert {"libgmp-dev", "libmpfr-dev", "libcgal-dev", "libfmt-dev", "nlohmann-json3-dev", "GPL-3", "LGPL-3", "three.js"} <= licences, licences
 assert "LICENSE" in files, files
+scripts = {point.name: point.value for point in importlib.metadata.distribution("circumspect").entry_points
+           if point.group == "console_scripts"}
+assert set(scripts) == {"circumspect", "circumspect-verified"}, scripts
+about = importlib.metadata.metadata("circumspect")
+relative = re.findall(r"\]\((?!https://)[^)]*\)", about.get_payload() or about["Description"])
+assert not relative, f"expected links that an index can follow, found {relative}"
+assert about["Requires-Python"] == ">=3.9" and len(about.get_all("Classifier")) > 8, about.items()
 assert "circumspect.pytest_plugin" in {point.value for point in importlib.metadata.entry_points(group="pytest11")}
 print(circumspect.check(scipy.spatial.Delaunay(circumspect.generate("uniform", points=100))))
 PYTHON

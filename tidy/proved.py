@@ -3,7 +3,7 @@
 
     proved.py             what is not as it should be, one line each; exit 1 if there is something
 
-Every notion in proofs/Definitions.v, proofs/Domains.v and proofs/Complexes.v stands in docs/theory/definitions.md.
+Every notion in proofs/Definitions.v, Domains.v, Complexes.v, Hulls.v and Flats.v stands in docs/theory/definitions.md.
     proved.py --update    write the table of rules anew
 
 A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
@@ -116,7 +116,9 @@ def notions():
     """What the definitions of the book are called, up to the rules."""
     for path, begin, end in (("proofs/Definitions.v", "Section Book.", "(** ** Rules that a mesh may break"),
                              ("proofs/Domains.v", "Section Book.", "End Book."),
-                             ("proofs/Complexes.v", "Section Complex.", "End Complex.")):
+                             ("proofs/Complexes.v", "Section Complex.", "End Complex."),
+                             ("proofs/Hulls.v", "Section Hull.", "End Hull."),
+                             ("proofs/Flats.v", "Section Flat.", "End Flat.")):
         book = text(path).split(begin, 1)[1].split(end, 1)[0]
         yield from re.findall(r"^(?:Definition|Inductive|Record|Fixpoint) (\w+)", book, re.MULTILINE)
 
@@ -128,7 +130,7 @@ def faults_of_notions():
     for name in sorted(set(notions()) - set(listed)):
         yield f"{page}: the notion {name} is left out"
     for name in sorted(set(listed) - set(notions())):
-        yield f"{page}: {name} is no notion of proofs/Definitions.v, proofs/Domains.v or proofs/Complexes.v"
+        yield f"{page}: {name} is no notion of the definitions in proofs/"
 
 
 def main(arguments):

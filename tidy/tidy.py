@@ -14,7 +14,7 @@ import sys
 # `circumspect_layer(...)` in CMakeLists.txt say the same to the linker.
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages", "rule"])]
-COMMAND = ["reference", "reference/optimality", "reference/constrained", "reference/existence",
+COMMAND = ["construct", "reference", "reference/optimality", "reference/constrained", "reference/existence",
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge", "oracle/judge/cause",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
@@ -48,6 +48,7 @@ ARROWS = {
     "oracle/judge/within": ["oracle/judge/domain", "oracle/domain"],
     "oracle/judge/fast/predicates": ["kernel/exact"],
     "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes", "oracle/judge/conditions"],
+    "construct": ["oracle/judge/fast", "oracle/model", "reference"],
     "oracle/judge/quality": ["oracle/judge/within"],
     "oracle/judge": ["oracle/judge/quality", "oracle/judge/periodic"],
     "oracle/distributed": ["oracle/judge", "oracle/report", "oracle/formats"],
@@ -59,7 +60,7 @@ ARROWS = {
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "oracle/formats", "inputs"],
     "fuzz/harness": ["oracle/judge/arrays", "inputs"],
-    "c": ["reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
+    "c": ["construct", "reference", "oracle/certificate", "oracle/judge/within", "oracle/judge/cause", "oracle/picture",
           "inputs/triangulated"],
     "js": ["c"],
     "python": ["c", "fuzz/harness", "fuzz/campaign"],
@@ -71,7 +72,7 @@ ARROWS = {
     "properties/mutations": ["oracle/model"],
     "properties/faulty": ["reference/constrained", "fuzz/campaign", "inputs/triangulated"],
     "properties/adapters": ["include/circumspect"],
-    "properties": ["reference/optimality", "reference/constrained", "reference/existence",
+    "properties": ["construct", "reference/optimality", "reference/constrained", "reference/existence",
                    "oracle/certificate", "oracle/judge/domain", "oracle/report",
                    "properties/arguments", "properties/mutations",
                    "properties/faulty", "properties/adapters", "fuzz/harness", "oracle/distributed"],
@@ -104,7 +105,7 @@ NUMBER_LIBRARY_FOLDERS = ["kernel/exact", "bench"]
 CROSS_PRODUCT_FILES = ["kernel/exact/point.cpp", "kernel/exact/triple.hpp"]
 
 # What `make web` compiles against libc++ 14, which has no algorithms of ranges.
-WEB_FOLDERS = ["kernel", "reference", "oracle", "inputs", "command"]
+WEB_FOLDERS = ["kernel", "construct", "reference", "oracle", "inputs", "command"]
 
 LONGEST_FILE, LONG_FILE = 450, 400
 LONGEST_FUNCTION = 60  # a screen; a table that a function returns is read row by row, and may be longer

@@ -2,6 +2,9 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,10 +19,10 @@
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
+#include "construct/delaunay.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/genericity.hpp"
@@ -33,17 +36,24 @@ struct BuildOptions {
   std::string points;
   std::string output_file;
   std::string neighbors_file;
-  std::string html;  // the steps and the numbers, to look at; empty: none
-  std::string algorithm = "bowyer-watson";
+  std::string html;            // the steps and the numbers, to look at; empty: none
+  std::string algorithm = {};  // of the book; empty: none was asked for
   delaunay::BowyerWatsonOptions bowyer_watson = {delaunay::InsertionOrder::kBrioHilbert,
                                                  delaunay::PointLocation::kWalking, 0};
   bool statistics = false;
+  bool is_about_insertion = false;  // --order, --location or --seed is given
   InputOptions input;
   OutputOptions output;
 };
 
+constexpr std::string_view kByInsertion = "bowyer-watson";
+
+std::string algorithm_of_the_book(const BuildOptions& options) {
+  return options.algorithm.empty() ? std::string(kByInsertion) : options.algorithm;
+}
+
 std::string statistics_text(const BuildOptions& options, const delaunay::Statistics& statistics) {
-  if (options.what == "lexicographic" || options.algorithm != "bowyer-watson") {
+  if (options.what == "lexicographic" || algorithm_of_the_book(options) != kByInsertion) {
     return "statistics: counted by --algorithm bowyer-watson alone\n";
   }
   return fmt::format(
@@ -57,23 +67,43 @@ std::string statistics_text(const BuildOptions& options, const delaunay::Statist
       report::counted(statistics.walk_steps, "walk step"), statistics.conflict_tests);
 }
 
-// The points of a weighted set that are not vertices: submerged, or on the lower hull without being
+// A triangulation whose simplices are those of the mesh, and what is known of it.
+struct Built {
+  int dimension = -1;
+  std::optional<bool> is_unique = {};  // of a Delaunay triangulation
+  report::Json steps = {};             // how it was made, if that was asked
+};
+
+// The points of a weighted set that are no vertices: submerged, or on the lower hull without being
 // extreme.
-std::string not_vertices_text(const ExactMesh& mesh, const Triangulation& triangulation) {
-  const std::vector<Vertex> unused = check::unused_points({mesh.points, triangulation.simplices()});
+std::string not_vertices_text(const Mesh& mesh) {
+  std::vector<bool> is_used(mesh.points());
+  mesh.simplices.visit([&]<class Lists>(const Lists& lists) {
+    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
+      for (const auto v : lists.values()) is_used[static_cast<std::size_t>(v)] = true;
+    }
+  });
+  std::vector<Vertex> unused;
+  for (Vertex v = 0; mesh.names(v); ++v) {
+    if (!is_used[static_cast<std::size_t>(v)]) unused.push_back(v);
+  }
   return unused.empty() ? "" : "not vertices: " + report::labels(mesh, unused) + "\n";
 }
 
 // "unique canonical" and the like: what is known of the triangulation beside its size.
-std::string facts(const BuildOptions& options, const ExactMesh& mesh,
-                  const Triangulation& triangulation) {
-  if (options.what == "lexicographic") return "";
-  const bool unique =
-      options.what == "delaunay"
-          ? !delaunay::cospherical_points_of_an_empty_ball(mesh.points, triangulation)
-          : *check::judge_points(Claim::kWeightedDelaunay, {mesh.points, triangulation.simplices()})
-                 .unique;
-  return unique ? " unique canonical" : " not-unique canonical";
+std::string facts(const Built& built) {
+  if (!built.is_unique) return "";
+  return *built.is_unique ? " unique canonical" : " not-unique canonical";
+}
+
+// By the fast construction; nothing if it leaves the points to the book.
+std::optional<Built> build_fast(const BuildOptions& options, Mesh& mesh, Output& output) {
+  output.begin("triangulating " + options.points);
+  auto fast = construct::canonical_delaunay(mesh.coordinates, mesh.weights, output.progress());
+  if (!fast) return std::nullopt;
+  const bool is_unique = fast->is_unique;
+  mesh.simplices = IndexLists(std::move(fast->simplices));
+  return Built{static_cast<int>(mesh.dimension()), is_unique};
 }
 
 Triangulation construct_triangulation(const BuildOptions& options, const PointSet& points,
@@ -82,18 +112,43 @@ Triangulation construct_triangulation(const BuildOptions& options, const PointSe
   if (options.what == "lexicographic") return delaunay::lexicographic(points);
   delaunay::BowyerWatsonOptions how = options.bowyer_watson;
   how.progress = progress;
-  return constructions().at(options.algorithm)(points, {how, &statistics, steps});
+  return constructions().at(algorithm_of_the_book(options))(points, {how, &statistics, steps});
+}
+
+Built build_by_the_book(const BuildOptions& options, Mesh& mesh, bool has_steps,
+                        delaunay::Statistics& statistics, Output& output) {
+  const ExactMesh exact_mesh = exact(mesh);
+  const PointSet& points = exact_mesh.points;
+  output.begin("triangulating " + options.points,
+               seconds_of_triangulating(points.size(), points.dimension()));
+  Steps steps(exact_mesh);
+  const Triangulation triangulation = construct_triangulation(
+      options, points, output.progress(), statistics, has_steps ? &steps : nullptr);
+  std::vector<Simplex> simplices = triangulation.simplices();
+  for (Simplex& simplex : simplices) simplex = positively_oriented(points, std::move(simplex));
+  mesh.simplices = IndexLists(std::move(simplices));
+  Built built{triangulation.dimension()};
+  if (options.what == "delaunay") {
+    built.is_unique = !delaunay::cospherical_points_of_an_empty_ball(points, triangulation);
+  } else if (options.what == "weighted-delaunay") {
+    built.is_unique =
+        check::judge_points(Claim::kWeightedDelaunay, {points, triangulation.simplices()}).unique;
+  }
+  if (has_steps) {
+    steps.done(triangulation.simplices());
+    built.steps = steps.json();
+  }
+  return built;
 }
 
 // Writes the files asked for; false if one could not be written.
-bool write_files(const BuildOptions& options, const ExactMesh& mesh,
-                 const std::vector<Duplicate>& merged, const Triangulation& triangulation,
-                 Output& output) {
+bool write_files(const BuildOptions& options, const LoadedMesh& loaded, Output& output) {
+  const Mesh& mesh = loaded.mesh;
   const auto write_mesh = [&](std::ostream& stream) {
     if (formats::extension(options.output_file) == ".json") {
-      formats::write_json(stream, json_file(mesh, triangulation));
+      formats::write_json(stream, json_file(mesh));
     } else {
-      formats::write_ele(stream, simplex_file(mesh, triangulation));
+      formats::write_ele(stream, simplex_file(mesh));
     }
   };
   const auto write = [&](const std::string& path, const auto& writer) {
@@ -105,50 +160,45 @@ bool write_files(const BuildOptions& options, const ExactMesh& mesh,
   return write(options.output_file, write_mesh) &&
          write(points_beside(options.output_file, options.points),
                [&](std::ostream& stream) {
-                 formats::write_node(stream, point_file(mesh, merged));
+                 formats::write_node(stream, point_file(mesh, loaded.merged));
                }) &&
-         write(options.neighbors_file, [&](std::ostream& stream) {
-           formats::write_neigh(stream, neighbor_file(mesh, triangulation));
-         });
+         write(options.neighbors_file,
+               [&](std::ostream& stream) { formats::write_neigh(stream, neighbor_file(mesh)); });
 }
 
 void build_triangulation(const BuildOptions& options, Output& output) {
   output.begin("reading " + options.points);
-  const auto loaded = load_points(options.points, options.input);
+  auto loaded = load_point_rows(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
   output.notes(loaded->notes);
-  if (loaded->merging) output.notes({*loaded->merging});
-  const ExactMesh& mesh = loaded->mesh;
-  output.begin("triangulating " + options.points,
-               seconds_of_triangulating(mesh.points.size(), mesh.points.dimension()));
+  if (const auto merging = note_of_merging(*loaded)) output.notes({*merging});
+  Mesh& mesh = loaded->mesh;
+  const bool has_steps = !options.html.empty() && mesh.points() <= kMostStepPoints;
+  const bool asks_the_book = has_steps || options.what == "lexicographic" || options.statistics ||
+                             options.is_about_insertion || !options.algorithm.empty();
   delaunay::Statistics statistics;
-  Steps steps(mesh);
-  const bool has_steps = !options.html.empty() && mesh.points.size() <= kMostStepPoints;
-  const Triangulation triangulation = construct_triangulation(
-      options, mesh.points, output.progress(), statistics, has_steps ? &steps : nullptr);
+  std::optional<Built> built;
+  if (!asks_the_book) built = build_fast(options, mesh, output);
+  if (!built) built = build_by_the_book(options, mesh, has_steps, statistics, output);
   output.end_watch();
-  if (!write_files(options, mesh, loaded->merged, triangulation, output)) return;
-  if (output.wants_json()) {
-    formats::write_json(std::cout, json_file(mesh, triangulation));
-  }
+  if (!write_files(options, *loaded, output)) return;
+  if (output.wants_json()) formats::write_json(std::cout, json_file(mesh));
   if (!output.wants_text() && options.html.empty()) return;
   picture::Facts told;
   told.heading = loaded->name;
   if (options.statistics) told.text += statistics_text(options, statistics);
-  if (mesh.points.is_weighted()) told.text += not_vertices_text(mesh, triangulation);
-  told.line = fmt::format(
-      "built: {} {} {} {}{}", options.what, on_one_line(loaded->name),
-      report::counted(mesh.points.size(), "point"),
-      report::counted_simplices(triangulation.simplices().size(), triangulation.dimension()),
-      facts(options, mesh, triangulation));
+  if (mesh.is_weighted()) told.text += not_vertices_text(mesh);
+  told.line = fmt::format("built: {} {} {} {}{}", options.what, on_one_line(loaded->name),
+                          report::counted(mesh.points(), "point"),
+                          report::counted_simplices(mesh.simplices.size(), built->dimension),
+                          facts(*built));
   output.text(told.text + told.line + "\n");
   if (options.html.empty()) return;
   if (has_steps) {
-    steps.done(triangulation.simplices());
-    told.steps = steps.json();
+    told.steps = std::move(built->steps);
   } else {
     told.text += fmt::format("steps: none are shown of more than {} points\n", kMostStepPoints);
   }
@@ -214,7 +264,10 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
       {"walking", PointLocation::kWalking}};
   add_options(command,
               {{"--algorithm", construction_names(), into(options.algorithm, one_of_words(names)),
-                "The algorithm. All make the same set of simplices (default: bowyer-watson)"},
+                "One of the book's algorithms. All make the same set of simplices, and so does the "
+                "default, a fast construction whose answer is proved; bowyer-watson makes what it "
+                "cannot: points of a flat or of other dimensions than 2 and 3, and numbers that "
+                "are no doubles"},
                {"--order", "as-given|random|brio-hilbert|brio-z-order",
                 into(options.bowyer_watson.order, one_of(orders)),
                 "The order in which Bowyer-Watson inserts points (default: brio-hilbert)"},
@@ -256,9 +309,16 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   add_page_option(*command, options->html, steps);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_dimension_option(*command, options->input);
   add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, command, &exit_code] {
+    for (const char* const name : {"--order", "--location", "--seed"}) {
+      const CLI::Option* const option = command->get_option_no_throw(name);
+      if (option != nullptr && option->count() > 0) options->is_about_insertion = true;
+    }
+    exit_code = run(*options);
+  });
   return command;
 }
 

@@ -1,34 +1,75 @@
 #include "command/build/mesh_output.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
-#include "kernel/complex/triangulation.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
-#include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::cli {
 namespace {
 
 // The empty set has no simplices, but a file of them still says how many vertices each has.
-std::size_t vertices_of_each(const Triangulation& triangulation) {
-  return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
+std::size_t vertices_of_each(const Mesh& mesh) {
+  return std::max<std::size_t>(mesh.simplices.columns(), 1);
+}
+
+// Where there are no points, files say one.
+std::size_t coordinates_of_each(const Mesh& mesh) {
+  return mesh.points() == 0 ? 1 : mesh.dimension();
 }
 
 // Simplices are numbered as the points are, but never −1, which means none, nor beyond 64 bits.
-Vertex first_index_of_simplices(const ExactMesh& mesh, const Triangulation& triangulation) {
-  const std::size_t count = triangulation.simplices().size();
-  return mesh.first_index >= 0 && has_room(mesh.first_index, count) ? mesh.first_index : 0;
+Vertex first_index_of_simplices(const Mesh& mesh) {
+  return mesh.first_index >= 0 && has_room(mesh.first_index, mesh.simplices.size())
+             ? mesh.first_index
+             : 0;
+}
+
+// With `name(v)` for vertex v.
+template <class Name>
+formats::SimplexFile named_simplices(const Mesh& mesh, const Name& name) {
+  formats::SimplexFile file;
+  file.first_index = first_index_of_simplices(mesh);
+  file.vertices_per_simplex = vertices_of_each(mesh);
+  file.simplices.reserve(mesh.simplices.size() * file.vertices_per_simplex);
+  mesh.simplices.visit([&]<class Lists>(const Lists& lists) {
+    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
+      Simplex own(lists.columns());
+      for (std::size_t i = 0; i < lists.rows(); ++i) {
+        const auto row = lists.row(i);
+        std::transform(row.begin(), row.end(), own.begin(), name);
+        file.simplices.push_back(own);
+      }
+    } else {
+      assert(lists.empty());  // of one length, they are in rows
+    }
+  });
+  return file;
+}
+
+formats::PointRows point_rows(const Numbers& numbers) {
+  formats::PointRows points;
+  points.set_columns(std::max<std::size_t>(columns_of(numbers), 1));
+  points.reserve(rows_of(numbers));
+  std::visit(
+      [&](const auto& rows) {
+        for (const auto& number : rows.values()) points.add(number);
+      },
+      numbers);
+  return points;
 }
 
 bool is_there_and_no_file(const std::string& path) {
@@ -52,36 +93,34 @@ std::string output_name_fault(const std::string& path,
   return fmt::format("expected -o {}or - for standard output, found {}", names, path);
 }
 
-formats::SimplexFile simplex_file(const ExactMesh& mesh, const Triangulation& triangulation) {
-  formats::SimplexFile file;
-  file.first_index = first_index_of_simplices(mesh, triangulation);
-  file.vertices_per_simplex = vertices_of_each(triangulation);
-  for (const Simplex& simplex : triangulation.simplices()) {
-    Simplex own = positively_oriented(mesh.points, simplex);
-    for (Vertex& v : own) v = mesh.label(v);
-    file.simplices.push_back(own);
-  }
-  return file;
+formats::SimplexFile simplex_file(const Mesh& mesh) {
+  return named_simplices(mesh, [&](Vertex v) { return mesh.label(v); });
 }
 
-formats::PointFile point_file(const ExactMesh& mesh, const std::vector<Duplicate>& merged) {
-  const PointSet& points = mesh.points;
+formats::PointFile point_file(const Mesh& mesh, const std::vector<Duplicate>& merged) {
   formats::PointFile file;
-  file.dimension = std::max<std::size_t>(points.ambient_dimension(), 1);
+  file.dimension = coordinates_of_each(mesh);
   file.first_index = mesh.first_index;
-  std::vector<Point> all(points.size() + merged.size());
-  if (points.is_weighted()) file.attributes.resize(all.size());
-  for (Vertex v = 0; points.names(v); ++v) {
+  if (merged.empty()) {
+    file.points = point_rows(mesh.coordinates);
+    for (Vertex v = 0; mesh.is_weighted() && mesh.names(v); ++v) {
+      file.attributes.push_back({mesh.weight(v)});
+    }
+    return file;
+  }
+  std::vector<Point> all(mesh.points() + merged.size());
+  if (mesh.is_weighted()) file.attributes.resize(all.size());
+  for (Vertex v = 0; mesh.names(v); ++v) {
     const auto place = static_cast<std::size_t>(place_of_index(mesh.label(v), mesh.first_index));
-    all[place] = points[v];
-    if (points.is_weighted()) file.attributes[place] = {points.weight(v)};
+    all[place] = mesh.point(v);
+    if (mesh.is_weighted()) file.attributes[place] = {mesh.weight(v)};
   }
   const auto copy_missing = [&](Vertex from, Vertex to) {
     const auto source = static_cast<std::size_t>(from);
     const auto target = static_cast<std::size_t>(to);
     if (!all[target].empty()) return;
     all[target] = all[source];
-    if (points.is_weighted()) file.attributes[target] = file.attributes[source];
+    if (mesh.is_weighted()) file.attributes[target] = file.attributes[source];
   };
   // Of equal points with weights, any may be the one that is left.
   for (const auto& [kept, again] : merged) copy_missing(again, kept);
@@ -98,14 +137,11 @@ std::string points_beside(const std::string& path, const std::string& input) {
   return is_input && !error ? "" : beside;
 }
 
-formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation) {
-  std::vector<Simplex> simplices;
-  for (const Simplex& simplex : triangulation.simplices()) {
-    simplices.push_back(positively_oriented(mesh.points, simplex));
-  }
+formats::NeighborFile neighbor_file(const Mesh& mesh) {
+  const std::vector<Simplex> simplices = mesh.simplices.lists();
   formats::NeighborFile file;
-  file.first_index = first_index_of_simplices(mesh, triangulation);
-  file.neighbors_per_simplex = vertices_of_each(triangulation);
+  file.first_index = first_index_of_simplices(mesh);
+  file.neighbors_per_simplex = vertices_of_each(mesh);
   for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
   for (const auto group : ByFacet(facet_uses(simplices))) {
     if (group.size() != 2) continue;
@@ -119,16 +155,17 @@ formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& 
   return file;
 }
 
-formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation) {
+formats::JsonFile json_file(const Mesh& mesh) {
   formats::JsonFile file;
-  file.points.dimension = std::max<std::size_t>(mesh.points.ambient_dimension(), 1);
-  file.points.points = mesh.points.points();
+  file.points.dimension = coordinates_of_each(mesh);
+  file.points.points = point_rows(mesh.coordinates);
   file.points.first_index = mesh.first_index;
-  if (mesh.points.is_weighted()) {
-    for (Vertex v = 0; mesh.points.names(v); ++v) file.weights.push_back(mesh.points.weight(v));
+  for (Vertex v = 0; mesh.is_weighted() && mesh.names(v); ++v) {
+    file.weights.push_back(mesh.weight(v));
   }
   file.has_simplices = true;
-  file.simplices = simplex_file({mesh.points, {}, {}, mesh.first_index}, triangulation);
+  file.simplices =
+      named_simplices(mesh, [&](Vertex v) { return index_of_place(v, mesh.first_index); });
   return file;
 }
 

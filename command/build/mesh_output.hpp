@@ -5,11 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/complex/triangulation.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
-#include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::cli {
 
@@ -19,15 +18,15 @@ namespace circumspect::cli {
 std::string output_name_fault(const std::string& path,
                               const std::vector<std::string_view>& extensions);
 
-// `mesh` gives the points and how the user counts them.
+// `mesh` has the points, how the user counts them, and the simplices of a triangulation of them:
+// positively oriented, so that programs that care find det[p_0 − p_d; …] > 0.
 
-// Positively oriented, so that programs that care find det[p_0 − p_d; …] > 0; vertices by the
-// user's own indices.
-formats::SimplexFile simplex_file(const ExactMesh& mesh, const Triangulation& triangulation);
+// Vertices by the user's own indices.
+formats::SimplexFile simplex_file(const Mesh& mesh);
 
 // All points of the input, each at its own index. Those that were merged (`merged`, by their
 // places) have the weight of the point that is left of them; weights are the first attribute.
-formats::PointFile point_file(const ExactMesh& mesh, const std::vector<Duplicate>& merged);
+formats::PointFile point_file(const Mesh& mesh, const std::vector<Duplicate>& merged);
 
 // The file of the points beside `path`, if it has to be written: an .ele alone says nothing, and
 // nothing is beside a stream. Empty if it is `input`, where the points come from.
@@ -35,10 +34,10 @@ std::string points_beside(const std::string& path, const std::string& input);
 
 // neighbors[s][i]: the simplex across the facet opposite vertex i of simplex s, in the order in
 // which simplex_file lists both; −1 on the hull.
-formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation);
+formats::NeighborFile neighbor_file(const Mesh& mesh);
 
 // The document lists the points itself, without those that were merged, so that vertices are
 // counted among these.
-formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation);
+formats::JsonFile json_file(const Mesh& mesh);
 
 }  // namespace circumspect::cli

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "command/check/filled_by_cones.hpp"
+#include "construct/delaunay.hpp"
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
@@ -16,7 +17,6 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/constructions.hpp"
 #include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
@@ -88,7 +88,7 @@ std::optional<std::vector<Simplex>> fill(const PointSet& points,
 }
 
 std::vector<Simplex> delaunay_simplices(const PointSet& points) {
-  return reference::canonical_delaunay(points).simplices();
+  return construct::any_canonical_delaunay(points).triangulation.simplices();
 }
 
 // The canonical triangulation, if it has the simplices; where points are cospherical, what fills
@@ -275,6 +275,13 @@ void note_further_holes(const LoadedDomain& loaded, Output& output) {
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
+  if (loaded.is_hull_with_holes) {
+    output.error(ExitCode::kUsage, "domain", loaded.name,
+                 fmt::format("{}: expected no hole seeds in the domain of a certificate that is a "
+                             "hull, found {}: nothing is proved of a hull with holes",
+                             loaded.name, loaded.domain.complex.hole_seeds.size()));
+    return false;
+  }
   note_further_holes(loaded, output);
   if (!verdict.holds()) {
     const auto refutation = certificate::domain_refutation_of(

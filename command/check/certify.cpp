@@ -19,6 +19,7 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/certificate/document.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
@@ -137,8 +138,7 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  const bool is_unproved =
-      options.asked && is_about_a_list(*options.asked) && *options.asked != Claim::kComplex;
+  const bool is_unproved = options.asked && certificate::is_unproved(*options.asked);
   return first_fault(
       {{!options.required.empty(),
         "expected no --require of a certificate, found it: nothing is proved of the shape of "
@@ -191,9 +191,9 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       "says what\n"
       "they prove.\n"
       "\n"
-      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span "
-      "the\n"
-      "plane or space, 3 the input is at fault, 4 interrupted or stopped by --limit, 5\n"
+      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or there is no certificate or "
+      "refutation,\n"
+      "3 the input is at fault, 4 interrupted or stopped by --limit, 5\n"
       "internal error.");
   add_options(*command,
               {{"mesh", "", required(options->mesh), "A mesh, in any format that check reads"},

@@ -75,6 +75,45 @@ TEST_CASE("certify: a mesh alone") {
   CHECK(has(none.err, "there is no refutation of this mesh"));
 }
 
+TEST_CASE("certify: a convex hull, and points of one plane in space") {
+  CertifiedMeshes meshes;
+  const std::vector<std::string> hull = {
+      "certify", meshes.write("edges", kSquareFrom5, "4 2\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n"),
+      "-o",      meshes.cert,
+      "--claim", "convex-hull"};
+  CHECK(run(hull).exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-certificate 1 convex-hull 2 triangulation\n"));
+  CHECK(has(contents(meshes.cert), " -\n"));  // the summit, which is nobody's
+  // Its centre is a point already, which is no vertex.
+  meshes.write("edges", "5 2\n5 0 0\n6 3 0\n7 3 3\n8 0 3\n9 1 1\n",
+               "4 2\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n");
+  CHECK(run(hull).exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-certificate 1 convex-hull 2 weighted-delaunay\n"));
+  CHECK(has(contents(meshes.cert), "\npoints 6\n"));
+  meshes.write("edges", kSquareFrom5, "3 2\n5 5 6\n6 6 7\n7 7 8\n");
+  const Run open = run(hull);
+  CHECK(open.exit_code == 2);
+  CHECK(has(open.err, "there is no refutation of this mesh: none shows that facets are not"));
+  meshes.write("edges", kSquareFrom5, "4 1\n5 5\n6 6\n7 7\n8 8\n");
+  CHECK(has(run(hull).err, "expected the edges of the hull for a certificate"));
+  const std::string tilted = "4 3\n5 0 0 0\n6 2 0 2\n7 2 2 4\n8 0 2 2\n";
+  const auto certify = [&](const std::string& claim, const std::string& rows) {
+    return run(
+        {"certify", meshes.write("tilted", tilted, rows), "-o", meshes.cert, "--claim", claim});
+  };
+  CHECK(certify("triangulation", kTwoTriangles).exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 triangulation 3 flat\n"));
+  // The other diagonal of the rhombus is shorter.
+  const Run fails = certify("delaunay", kTwoTriangles);
+  CHECK(fails.exit_code == 2);
+  CHECK(has(fails.err, "expected points that span the space for a certificate"));
+  CHECK(certify("delaunay", "2 3\n5 5 6 8\n6 6 7 8\n").exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 delaunay 3 flat\n"));
+  CHECK(has(contents(meshes.cert), "\nunseen 4\n0\n1\n1\n2\n"));
+}
+
 TEST_CASE("certify: to standard output, which then holds nothing else") {
   const CertifiedMeshes meshes;
   CHECK(run({"certify", meshes.good, "-o", meshes.cert}).exit_code == 0);
@@ -133,6 +172,30 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
              "--claim", "cdt"})
             .exit_code == 0);
   CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 cdt 2 hull plc\n"));
+}
+
+// A mesh of the hull without its hole is no mesh of the hull: certificates are about the latter.
+TEST_CASE("certify: no hull with holes, of which check says another thing than of the hull") {
+  const CertifiedMeshes meshes;
+  meshes.folder.write("holed.edge", "4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n");
+  meshes.folder.write("holed.node", kSquareFrom5);
+  const std::string none = meshes.folder.write("holed.ele", "0 3\n");
+  const std::string square = meshes.folder.write(
+      "holed.poly",
+      "4 2 0 0\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n1\n1 1 1\n");
+  const std::vector<std::string> about = {none,   "--domain", square, "--fill",
+                                          "hull", "--claim",  "cdt"};
+  std::vector<std::string> certify = {"certify", "-o", meshes.cert};
+  std::vector<std::string> check = {"check"}, both = {"check", "--certificate", meshes.cert};
+  for (auto* words : {&certify, &check, &both})
+    words->insert(words->end(), about.begin(), about.end());
+  CHECK(run(check).exit_code == 0);
+  for (const auto& words : {certify, both}) {
+    const Run refused = run(words);
+    CHECK(refused.exit_code == 2);
+    CHECK(has(refused.err, "nothing is proved of a hull with holes"));
+    CHECK(!meshes.has_cert());
+  }
 }
 
 TEST_CASE("certify: a refutation of a claim about a domain") {

@@ -172,6 +172,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   add_coordinates_option(command, options.input);
   add_duplicates_option(command, options.input);
   add_drop_option(command, options.input);
+  add_dimension_option(command, options.input);
   add_keep_label_option(command, options.input);
   add_allow_empty_option(command, options.input);
   add_report_options(command, options.output);

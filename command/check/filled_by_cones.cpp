@@ -4,11 +4,11 @@
 #include <map>
 #include <set>
 
+#include "construct/delaunay.hpp"
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/constructions.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -86,7 +86,8 @@ std::vector<Simplex> triangles_of_face(const PointSet& points, const Plane& plan
 std::map<Simplex, Vertex> hull_triangles(const PointSet& points,
                                          const std::map<Simplex, Vertex>& walls) {
   std::map<Point, std::pair<Plane, Vertex>> faces;  // by the direction that points out
-  for (const auto& [facet, apex] : exposed(reference::canonical_delaunay(points).simplices())) {
+  for (const auto& [facet, apex] :
+       exposed(construct::any_canonical_delaunay(points).triangulation.simplices())) {
     const Plane plane = plane_of(points, facet);
     const bool is_outward = inner_product(plane.normal, points[apex]) < plane.offset;
     Rational length = 0;

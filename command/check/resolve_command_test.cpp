@@ -63,6 +63,59 @@ TEST_CASE("check --resolve: overlaps, repeated points and what it does not go wi
   CHECK(run({"certify", two, "--domain", untidy, "--resolve"}).exit_code == 2);
 }
 
+TEST_CASE("check --domain: polygons as rings, with holes and without hole seeds") {
+  const ScratchFolder folder;
+  // A square with a hole, which a second polygon fills, and a third beside.
+  const std::string whole =
+      folder.write("w.wkt",
+                   "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 3 1, 3 3, 1 3, 1 1))\n"
+                   "POLYGON ((1 1, 3 1, 3 3, 1 3)) POLYGON ((4 0, 6 0, 6 4, 4 4))\n");
+  const std::string ring = folder.write("r.geojson",
+                                        "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [4, "
+                                        "0], [4, 4], [0, 4], [0, 0]],\n[[1, 1], "
+                                        "[3, 1], [3, 3], [1, 3], [1, 1]]]}\n");
+  const std::string points = "8 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 1 1\n5 3 1\n6 3 3\n7 1 3\n";
+  const std::string around =
+      "0 0 1 5\n1 0 5 4\n2 1 2 6\n3 1 6 5\n4 2 3 7\n5 2 7 6\n6 3 0 4\n7 3 4 7\n";
+  folder.write("m.node", points);
+  const std::string mesh = folder.write("m.ele", "8 3 0\n" + around);
+  const Run holds = run({"check", mesh, "--domain", ring});
+  CHECK_MESSAGE(holds.exit_code == 0, (holds.out + holds.err));
+  CHECK(has(holds.out, "r.geojson enclosed, what its faces cover\n"));
+  const Run fills = run({"check", mesh, "--domain", ring, "--fill", "enclosed"});
+  CHECK(fills.exit_code == 1);
+  CHECK(has(fills.out, "domain.uncovered"));
+  CHECK(run({"check", mesh, "--domain", whole}).exit_code == 1);
+  folder.write("n.node", "10" + points.substr(1) + "8 6 0\n9 6 4\n");
+  const std::string all =
+      folder.write("n.ele", "12 3 0\n" + around + "8 4 5 6\n9 4 6 7\n10 1 8 9\n11 1 9 2\n");
+  const Run both = run({"check", all, "--domain", whole});
+  CHECK_MESSAGE(both.exit_code == 0, (both.out + both.err));
+  CHECK(has(run({"inspect", ring}).out, "8 vertices 8 segments"));
+}
+
+TEST_CASE("check --resolve: rings that cross cover what an odd number of them enclose") {
+  const ScratchFolder folder;
+  const std::string tie = folder.write("tie.json", "[[0, 0], [2, 2], [2, 0], [0, 2]]\n");
+  folder.write("m.node", "5 2 0 0\n0 0 0\n1 2 2\n2 2 0\n3 0 2\n4 1 1\n");
+  const std::string wings = folder.write("m.ele", "2 3 0\n0 0 4 3\n1 1 4 2\n");
+  CHECK(has(run({"check", wings, "--domain", tie}).err,
+            "tie.json:1: expected a piecewise linear complex, "
+            "found plc.crossing-segments"));
+  const Run resolved = run({"check", wings, "--domain", tie, "--resolve"});
+  CHECK_MESSAGE(resolved.exit_code == 0, (resolved.out + resolved.err));
+  // Where two squares of one polygon overlap, nothing is covered.
+  const std::string two =
+      folder.write("two.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4), (2 2, 6 2, 6 6, 2 6))\n");
+  folder.write("s.node",
+               "10 2 0 0\n0 0 0\n1 4 0\n2 4 2\n3 2 2\n4 2 4\n5 0 4\n6 6 2\n7 6 6\n8 2 6\n9 4 4\n");
+  const std::string ells = folder.write(
+      "s.ele", "8 3 0\n0 0 1 3\n1 1 2 3\n2 0 3 5\n3 3 4 5\n4 2 6 9\n5 6 7 9\n6 7 8 9\n7 8 4 9\n");
+  const Run judged =
+      run({"check", ells, "--domain", two, "--resolve", "--claim", "plc-triangulation"});
+  CHECK_MESSAGE(judged.exit_code == 0, (judged.out + judged.err));
+}
+
 TEST_CASE("check --drop: a terrain is judged as it is seen from above") {
   const ScratchFolder folder;
   const std::string terrain = folder.write("t.obj", kTerrain);
@@ -87,6 +140,21 @@ TEST_CASE("check --drop: a terrain is judged as it is seen from above") {
   CHECK(has(run({"check", folder.write("p.ele", "1 3\n0 0 1 2\n"), "--drop", "x"}).err,
             "expected points with 3 coordinates for --drop, found 2"));
   CHECK(run({"check", terrain, "--drop", "w"}).exit_code == 2);
+}
+
+TEST_CASE("--dimension: numbers behind the coordinates are left out") {
+  const ScratchFolder folder;
+  const std::string scan =
+      folder.write("scan.xyz", "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 1\n0 0 1 9 8 2\n");
+  CHECK(has(run({"inspect", scan}).out, "give --dimension 3\n"));
+  const Run seen = run({"inspect", scan, "--dimension", "3"});
+  CHECK(has(seen.out, "the first 3 of 6 numbers of each point are taken for coordinates"));
+  CHECK(has(seen.out, "dimension 3 of 3"));
+  const std::string mesh = folder.write("m.qhull-i", "1\n0 1 2 3\n");
+  CHECK(run({"check", mesh, "--points", scan, "--dimension", "3"}).exit_code == 0);
+  CHECK(has(run({"inspect", scan, "--dimension", "7"}).err,
+            "expected points with at least 7 numbers for --dimension, found 6"));
+  CHECK(run({"inspect", scan, "--dimension", "0"}).exit_code == 2);
 }
 
 TEST_CASE("check --within: a polygon whose corners were rounded off its plane is taken for flat") {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "command/input/breach_text.hpp"
-#include "kernel/piecewise_linear/arrangement.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"
+#include "oracle/domain/resolved.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
@@ -162,38 +162,29 @@ tl::expected<DomainOptions, std::string> in_dimension_of(const formats::DomainFi
 // Where segments meet is a vertex from here on: those that the file does not list are numbered
 // after all others. Lines of segments that were cut are not known.
 formats::DomainFile resolved(formats::DomainFile file) {
-  const PiecewiseLinearInput& input = file.input;
-  PiecewiseLinearInput whole = arranged(input);
-  std::map<Point, Vertex> labels;
-  Vertex last = file.first_index - 1;
+  PiecewiseLinearInput& input = file.input;
+  std::vector<Vertex> labels;
   for (std::size_t v = 0; v < input.points.size(); ++v) {
-    const Vertex label = file.label(static_cast<Vertex>(v));
-    labels.try_emplace(input.points[v], label);
-    last = std::max(last, label);
+    labels.push_back(file.label(static_cast<Vertex>(v)));
   }
-  const std::size_t listed = labels.size();
-  std::vector<Vertex> own;
-  for (const Point& point : whole.points) {
-    const auto [known, is_new] = labels.try_emplace(point, last + 1);
-    own.push_back(known->second);
-    last += is_new ? 1 : 0;
-  }
-  const std::size_t added = labels.size() - listed;
+  if (file.faces_are_rings) input.polygons = std::move(file.faces);
+  ResolvedInput whole = circumspect::resolved(input, labels);
+  if (file.faces_are_rings) file.faces = std::exchange(whole.input.polygons, {});
   std::string note = file.name + ": " + report::counted(segments_of(input).size(), "segment") +
-                     " resolved into " + std::to_string(segments_of(whole).size());
-  if (added > 0) {
+                     " resolved into " + std::to_string(segments_of(whole.input).size());
+  if (whole.added > 0) {
     note += fmt::format(", with {} where they meet, numbered from {}",
-                        report::counted(added, "vertex", "vertices"),
-                        last + 1 - static_cast<Vertex>(added));
+                        report::counted(whole.added, "vertex", "vertices"),
+                        *std::max_element(whole.labels.begin(), whole.labels.end()) + 1 -
+                            static_cast<Vertex>(whole.added));
   }
-  if (listed < input.points.size()) {
-    note +=
-        fmt::format("; {} merged", report::counted(input.points.size() - listed, "equal point"));
+  if (whole.merged > 0) {
+    note += fmt::format("; {} merged", report::counted(whole.merged, "equal point"));
   }
   file.notes.push_back(std::move(note));
-  file.segment_lines.assign(whole.segments.size(), 0);
-  file.labels = std::move(own);
-  file.input = std::move(whole);
+  file.segment_lines.assign(whole.input.segments.size(), 0);
+  file.labels = std::move(whole.labels);
+  file.input = std::move(whole.input);
   return file;
 }
 
@@ -245,7 +236,7 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
     return tl::unexpected(DomainFault{path + ": expected a domain with points, found none"});
   }
   if (asked.resolves) {
-    if (!file.faces.empty()) {
+    if (!file.faces.empty() && !file.faces_are_rings) {
       return tl::unexpected(DomainFault{
           path +
           ": expected segments for --resolve, or polygons in space, found faces in a plane"});
@@ -265,12 +256,12 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
   DomainOptions filling = said;
-  // circumspect-verified knows the hull without holes alone.
-  if (!options.for_certificate && is_hull_with_holes(loaded, said)) {
+  loaded.is_hull_with_holes = is_hull_with_holes(loaded, said);
+  if (loaded.is_hull_with_holes) {
     enclose_hull(loaded);
     filling.fill = Fill::kEnclosed;
   }
-  auto chosen = choose_kind(loaded.domain, loaded.file.input, loaded.file.faces, filling, leak);
+  auto chosen = choose_kind(loaded.domain, loaded.file, filling, leak);
   if (!chosen) {
     return tl::unexpected(DomainFault{path + ": " + chosen.error(), {}, std::move(loaded.file)});
   }

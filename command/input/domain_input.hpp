@@ -28,6 +28,7 @@ struct LoadedDomain {
   std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
   std::vector<Simplex> listed = {};  // what the file lists as segments: `listed_segments`
   std::size_t listed_holes = 0;      // so many hole seeds; those that follow are of options
+  bool is_hull_with_holes = false;   // in the plane; walls enclose it that the file does not list
 };
 
 // What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could

@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "command/input/breach_text.hpp"
-#include "command/input/uncovered.hpp"
 #include "oracle/domain/filling.hpp"
+#include "oracle/domain/uncovered.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -255,8 +255,7 @@ void note_dangling(const Regions& regions, const Domain& domain, bool is_said, C
 
 // Something is enclosed, or the user says that nothing needs to be.
 tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
-                                                    const PiecewiseLinearInput& input,
-                                                    const std::vector<PolygonLines>& faces,
+                                                    const formats::DomainFile& file,
                                                     const Regions& regions,
                                                     const DomainOptions& asked) {
   ChosenKind chosen{DomainKind::kEnclosed};
@@ -265,11 +264,12 @@ tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
   if (!asked.regions.empty()) {
     seeds = seeds_beside(asked.regions, regions);
   } else if (fill != Fill::kEnclosed) {
-    seeds = seeds_by_rule(fill, regions, domain, input, chosen.notes);
-  } else if (!asked.fill && !faces.empty()) {
-    seeds = points_without_face(faces, regions, domain.complex.points);
+    seeds = seeds_by_rule(fill, regions, domain, file.input, chosen.notes);
+  } else if (!asked.fill && !file.faces.empty()) {
+    seeds = file.faces_are_rings ? points_without_rings(file.faces, regions)
+                                 : points_without_face(file.faces, regions, domain.complex.points);
     chosen.is_by_faces = !seeds->empty();
-    if (chosen.is_by_faces) {
+    if (chosen.is_by_faces && !file.faces_are_rings) {  // of rings that is what they are for
       chosen.notes.push_back(fmt::format(
           "no face covers {} of the {} that are enclosed: {} left empty; --fill enclosed fills all",
           seeds->size(), regions.size() - 1, seeds->size() == 1 ? "it is" : "they are"));
@@ -290,8 +290,7 @@ tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
 }  // namespace
 
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
-                                                  const PiecewiseLinearInput& input,
-                                                  const std::vector<PolygonLines>& faces,
+                                                  const formats::DomainFile& file,
                                                   const DomainOptions& asked, Leak leak) {
   const std::size_t seeds = domain.complex.hole_seeds.size();
   ChosenKind chosen{DomainKind::kHull};
@@ -300,7 +299,7 @@ tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
   } else {
     const Regions regions = regions_if_enclosed(domain);
     if (regions.size() > 1 || asked.fill || !asked.regions.empty()) {
-      return kind_enclosed(domain, input, faces, regions, asked);
+      return kind_enclosed(domain, file, regions, asked);
     }
     auto other = kind_without_enclosure(domain, leak);
     if (!other) return other;

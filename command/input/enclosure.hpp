@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "command/options/domain_options.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/model/domain.hpp"
 
 namespace circumspect::cli {
@@ -29,18 +30,17 @@ struct ChosenKind {
   std::optional<Regions> regions = {};  // of the domain, of this kind, where they were found
 };
 
-// `asked`: what the user says of what is filled, if anything. Otherwise what the `faces` of a
+// `asked`: what the user says of what is filled, if anything. Otherwise what the faces of a
 // domain in the plane cover is filled, if there are any; a domain without them is enclosed if it
 // encloses anything, its convex hull if it has nothing that could enclose, and enclosed if all of
 // it lies in one hyperplane, where neither kind fills anything; `domain.complex.kind` does not
 // matter. Errors (one line, without the name of the file): a leak, where it is refused; a convex
 // hull that is flat and thus fills nothing; walls that are not turned one way, where their winding
 // is to say what is filled; a point of --region that is in nothing enclosed. Requires: a valid
-// complex that has points, and the input of which it was made; in the plane edges of faces are
-// segments, and no two faces overlap.
+// complex that has points, and the file of which it was made; in the plane edges of faces are
+// segments, and no two faces overlap unless they are rings.
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
-                                                  const PiecewiseLinearInput& input,
-                                                  const std::vector<PolygonLines>& faces,
+                                                  const formats::DomainFile& file,
                                                   const DomainOptions& asked, Leak leak);
 
 }  // namespace circumspect::cli

@@ -1,11 +1,13 @@
 #include "command/input/input.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "command/options/one_of.hpp"
+#include "command/options/whole_number.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 
@@ -29,6 +31,34 @@ Numbers without_column(const Rows<Value>& points, std::size_t column) {
   return others;
 }
 
+template <class Value>
+Numbers first_columns(const Rows<Value>& points, std::size_t columns) {
+  Rows<Value> others(points.rows(), columns);
+  for (std::size_t i = 0; i < points.rows(); ++i) {
+    std::copy_n(points.row(i).begin(), columns, others.row(i).begin());
+  }
+  return others;
+}
+
+// Takes only the first coordinates; returns what is wrong with that, or an empty string.
+std::string keep_dimension(LoadedMesh& loaded, std::size_t dimension) {
+  Mesh& mesh = loaded.mesh;
+  const std::size_t found = mesh.dimension();
+  if (found < dimension) {
+    return fmt::format("{}: expected points with at least {} numbers for --dimension, found {}",
+                       loaded.points_name, dimension, found);
+  }
+  if (found == dimension) return "";
+  mesh.coordinates =
+      std::visit([dimension](const auto& points) { return first_columns(points, dimension); },
+                 mesh.coordinates);
+  loaded.notes.push_back(
+      fmt::format("{}: the first {} of {} numbers of each point are taken for "
+                  "coordinates (--dimension)",
+                  loaded.points_name, dimension, found));
+  return "";
+}
+
 // Projects a mesh of space along an axis; returns what is wrong with that, or an empty string.
 std::string drop_coordinate(LoadedMesh& loaded, Axis along) {
   const auto axis = static_cast<std::size_t>(along);
@@ -48,6 +78,12 @@ std::string drop_coordinate(LoadedMesh& loaded, Axis along) {
   loaded.notes.push_back(
       fmt::format("{}: the coordinate {} was left out (--drop)", loaded.points_name, "xyz"[axis]));
   return "";
+}
+
+std::string choose_coordinates(LoadedMesh& loaded, const InputOptions& options) {
+  std::string fault = options.dimension ? keep_dimension(loaded, *options.dimension) : "";
+  if (fault.empty() && options.dropped) fault = drop_coordinate(loaded, *options.dropped);
+  return fault;
 }
 
 }  // namespace
@@ -93,6 +129,16 @@ void add_drop_option(CLI::App& command, InputOptions& options) {
       ->option_text("x|y|z");
 }
 
+void add_dimension_option(CLI::App& command, InputOptions& options) {
+  command
+      .add_option("--dimension", options.dimension,
+                  "Take only the first N numbers of each point for coordinates: 3, where colours "
+                  "or normals stand behind them")
+      ->check(whole_number(1, formats::kLargestDimension))
+      ->option_text("N")
+      ->group("Input");
+}
+
 void add_keep_label_option(CLI::App& command, InputOptions& options) {
   command
       .add_option(
@@ -117,7 +163,7 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
        .domain_dimension = frame ? std::optional(frame->dimension) : std::nullopt,
        .domain_height = frame ? frame->height : std::nullopt,
        // circumspect-verified reads these files as they stand.
-       .keeps_coordinates = options.dropped.has_value() ||
+       .keeps_coordinates = options.dropped.has_value() || options.dimension.has_value() ||
                             (options.for_certificate && (end == ".ele" || end == ".node")),
        .weights = weights_asked_for(options),
        .kept_labels = options.kept_labels},
@@ -140,7 +186,7 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                     std::move(file->notes),
                     std::move(file->face_markers),
                     std::move(file->height)};
-  const std::string fault = options.dropped ? drop_coordinate(loaded, *options.dropped) : "";
+  const std::string fault = choose_coordinates(loaded, options);
   if (!fault.empty()) return tl::unexpected(fault);
   return loaded;
 }
@@ -169,8 +215,8 @@ std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates) {
   return repeated.empty() ? "" : equal_points_fault(loaded, repeated);
 }
 
-tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
-                                                    const InputOptions& options) {
+tl::expected<LoadedMesh, std::string> load_point_rows(const std::string& path,
+                                                      const InputOptions& options) {
   auto raw = formats::read_points(path, options.coordinates);
   if (!raw) return tl::unexpected(raw.error().to_string());
   auto weights = formats::weights_of(*raw, weights_asked_for(options));
@@ -179,21 +225,26 @@ tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
   loaded.mesh.coordinates = std::move(raw->points.points).as_numbers(raw->points.dimension);
   if (!weights->empty()) loaded.mesh.weights = numbers_of(*weights);
   loaded.mesh.first_index = raw->points.first_index;
-  std::string fault = options.dropped ? drop_coordinate(loaded, *options.dropped) : "";
+  std::string fault = choose_coordinates(loaded, options);
   if (fault.empty()) fault = settle_equal_points(loaded, options.duplicates);
   if (!fault.empty()) return tl::unexpected(fault);
-  LoadedPoints points{path, exact(loaded.mesh), loaded.notes, loaded.merged,
-                      note_of_merging(loaded)};
   const std::string end = formats::extension_inside(path);
   // Scanners write colours and normals there.
-  if (loaded.mesh.dimension() > 3 && (end == ".xyz" || end == ".csv")) {
-    points.notes.push_back(
+  if (loaded.mesh.dimension() > 3 && (end == ".xyz" || end == ".csv" || end == ".txt")) {
+    loaded.notes.push_back(
         fmt::format("{}: read as points of dimension {}, one for each column; if only the first "
-                    "three columns are "
-                    "coordinates, leave out the others",
+                    "three columns are coordinates, give --dimension 3",
                     path, loaded.mesh.dimension()));
   }
-  return points;
+  return loaded;
+}
+
+tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
+                                                    const InputOptions& options) {
+  const auto loaded = load_point_rows(path, options);
+  if (!loaded) return tl::unexpected(loaded.error());
+  return LoadedPoints{path, exact(loaded->mesh), loaded->notes, loaded->merged,
+                      note_of_merging(*loaded)};
 }
 
 }  // namespace circumspect::cli

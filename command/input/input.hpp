@@ -31,10 +31,12 @@ struct InputOptions {
   bool faces = false;                      // read .face and .edge too, and their like
   std::vector<Vertex> kept_labels = {};    // --keep-label; empty: all
   std::optional<Axis> dropped = {};        // --drop: the coordinate that is left out
-  bool allow_empty = false;                // --allow-empty
-  bool weighted = false;                   // the claim or the construction is about weights
-  bool for_certificate = false;            // a certificate is about the numbers of the files
-  bool listed_weights = false;  // without being asked for, what a file calls weights (JSON) counts
+  // --dimension: how many numbers of each point are coordinates
+  std::optional<std::size_t> dimension = {};
+  bool allow_empty = false;      // --allow-empty
+  bool weighted = false;         // the claim or the construction is about weights
+  bool for_certificate = false;  // a certificate is about the numbers of the files
+  bool listed_weights = false;   // without being asked for, what a file calls weights (JSON) counts
 };
 
 void add_coordinates_option(CLI::App& command, InputOptions& options);
@@ -42,6 +44,7 @@ void add_duplicates_option(CLI::App& command, InputOptions& options);
 void add_allow_empty_option(CLI::App& command, InputOptions& options);
 void add_keep_label_option(CLI::App& command, InputOptions& options);
 void add_drop_option(CLI::App& command, InputOptions& options);
+void add_dimension_option(CLI::App& command, InputOptions& options);
 
 // A mesh as it was read, or one line that says what is wrong with the input.
 struct LoadedMesh {
@@ -64,7 +67,7 @@ struct DomainFrame {
 
 // Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
 // weights asked for and not there; neighbours asked for and not there; a coordinate to leave out of
-// a mesh that is not of space, or has tetrahedra. Equal points are left to judges and to
+// a mesh that is not of space, or has tetrahedra; points with fewer coordinates than asked for. Equal points are left to judges and to
 // settle_equal_points. `frame`: of the domain that the mesh is held against, if it is. Then what
 // formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many
 // as the machine has.
@@ -82,7 +85,10 @@ std::optional<std::string> note_of_merging(const LoadedMesh& loaded);
 // they are refused; empty if all is well.
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 
-// Points alone, as a mesh without simplices. Errors: as above, and equal points that are refused.
+// Points alone, as a mesh without simplices: in arrays, or as exact numbers. Errors: as above, and
+// equal points that are refused.
+tl::expected<LoadedMesh, std::string> load_point_rows(const std::string& path,
+                                                      const InputOptions& options);
 struct LoadedPoints {
   std::string name;
   ExactMesh mesh;

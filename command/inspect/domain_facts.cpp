@@ -1,5 +1,6 @@
 #include "command/inspect/domain_facts.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -20,22 +21,31 @@ void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output
   facts.adoptions = adoptions(loaded.file.input, loaded.domain.complex);
 }
 
-void find_edge_protection(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {
-  output.begin("deciding whether " + loaded.name + " is edge-protected");
-  facts.segments = constrained::edge_protection(loaded.domain.complex, output.progress());
-  facts.is_edge_protected = constrained::is_edge_protected(facts.segments);
-  facts.is_edge_protected_under_perturbation =
-      constrained::is_edge_protected_under_perturbation(facts.segments);
+construct::EdgeProtection protection_of(const LoadedDomain& loaded, Output& output) {
+  output.begin("triangulating the vertices of " + loaded.name);
+  return construct::EdgeProtection(loaded.domain.complex, output.progress());
 }
 
-void find_cdt(const LoadedDomain& loaded, const SearchLimits& limits, DomainFacts& facts,
-              Output& output) {
+void find_edge_protection(const LoadedDomain& loaded, const construct::EdgeProtection& protection,
+                          DomainFacts& facts, Output& output) {
+  output.begin("deciding whether " + loaded.name + " is edge-protected");
+  facts.segments = protection.segments(output.progress());
+  facts.is_edge_protected = std::all_of(facts.segments.begin(), facts.segments.end(),
+                                        [](const auto& segment) { return segment.is_strong(); });
+  facts.is_edge_protected_under_perturbation = protection.holds_under_perturbation();
+}
+
+void find_cdt(const LoadedDomain& loaded, const construct::EdgeProtection& protection,
+              const SearchLimits& limits, DomainFacts& facts, Output& output) {
   const PiecewiseLinearComplex& complex = loaded.domain.complex;
-  if (complex.ambient_dimension() == 2) {
+  // Book: Theorem 4.9. Where a segment is missing, the insertion of polygons does not even begin.
+  const bool is_protected =
+      complex.points.dimension() == 3 && protection.holds_under_perturbation();
+  if (complex.ambient_dimension() == 2 || is_protected) {
     facts.cdt = CdtAnswer::kCanonical;
     return;
   }
-  CdtDecision decision = decide_cdt(complex, limits, true, loaded.name, output);
+  CdtDecision decision = decide_cdt(complex, limits, false, loaded.name, output);
   facts.cdt = decision.answer;
   facts.limit = std::move(decision.limit);
   facts.no_cdt = std::move(decision.refutation);

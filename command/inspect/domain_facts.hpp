@@ -8,8 +8,8 @@
 #include "command/build/cdt_decision.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/output/output.hpp"
+#include "construct/edge_protection.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/constrained/edge_protection.hpp"
 
 namespace circumspect::cli {
 
@@ -19,7 +19,7 @@ struct DomainFacts {
   std::size_t holes = 0;
   std::vector<std::size_t> ignored_hole_seeds = {};  // by their places in the list
   std::vector<Adoption> adoptions = {};
-  std::vector<constrained::SegmentProtection> segments = {};
+  std::vector<construct::SegmentFacts> segments = {};
   bool is_edge_protected = false;
   bool is_edge_protected_under_perturbation = false;
   CdtAnswer cdt = CdtAnswer::kUnknown;
@@ -33,8 +33,10 @@ struct DomainFacts {
 
 // Each finds some of the facts; `output` is told what is being done.
 void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output);
-void find_edge_protection(const LoadedDomain& loaded, DomainFacts& facts, Output& output);
-void find_cdt(const LoadedDomain& loaded, const SearchLimits& limits, DomainFacts& facts,
-              Output& output);
+construct::EdgeProtection protection_of(const LoadedDomain& loaded, Output& output);
+void find_edge_protection(const LoadedDomain& loaded, const construct::EdgeProtection& protection,
+                          DomainFacts& facts, Output& output);
+void find_cdt(const LoadedDomain& loaded, const construct::EdgeProtection& protection,
+              const SearchLimits& limits, DomainFacts& facts, Output& output);
 
 }  // namespace circumspect::cli

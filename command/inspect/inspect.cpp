@@ -154,6 +154,7 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   add_page_option(*command, options->html, "the facts, and each breach of a domain as a picture");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_dimension_option(*command, options->input);
   add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });

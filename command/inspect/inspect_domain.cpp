@@ -18,10 +18,10 @@
 namespace circumspect::cli {
 namespace {
 
-using constrained::SegmentProtection;
+using construct::SegmentFacts;
 
-std::string_view status_word(const SegmentProtection& protection) {
-  switch (protection.status.delaunayhood) {
+std::string_view status_word(const SegmentFacts& segment) {
+  switch (segment.delaunayhood) {
     case delaunay::Delaunayhood::kStronglyDelaunay:
       return "strongly-delaunay";
     case delaunay::Delaunayhood::kDelaunay:
@@ -32,16 +32,12 @@ std::string_view status_word(const SegmentProtection& protection) {
   return "";
 }
 
-bool is_strong(const SegmentProtection& protection) {
-  return protection.status.delaunayhood == delaunay::Delaunayhood::kStronglyDelaunay;
-}
-
-std::string segment_line(const Domain& domain, const SegmentProtection& protection) {
-  std::string line =
-      fmt::format("segment {}: {}, {}", labels(domain, protection.segment), status_word(protection),
-                  protection.is_present ? "present" : "absent");
-  const auto encroaching = constrained::encroaching_vertex(domain.complex.points, protection);
-  if (encroaching) line += fmt::format(", encroached upon by {}", domain.label(*encroaching));
+std::string segment_line(const Domain& domain, const SegmentFacts& segment) {
+  std::string line = fmt::format("segment {}: {}, {}", labels(domain, segment.segment),
+                                 status_word(segment), segment.is_present ? "present" : "absent");
+  if (segment.encroaching) {
+    line += fmt::format(", encroached upon by {}", domain.label(*segment.encroaching));
+  }
   return line + "\n";
 }
 
@@ -104,12 +100,11 @@ report::Json own(const Domain& domain, const Simplex& simplex) {
 
 report::Json segments_json(const Domain& domain, const DomainFacts& facts) {
   report::Json array = report::Json::array();
-  for (const SegmentProtection& protection : facts.segments) {
-    report::Json entry = {{"segment", own(domain, protection.segment)},
-                          {"status", status_word(protection)},
-                          {"present", protection.is_present}};
-    const auto encroaching = constrained::encroaching_vertex(domain.complex.points, protection);
-    if (encroaching) entry["encroaching_vertex"] = domain.label(*encroaching);
+  for (const SegmentFacts& segment : facts.segments) {
+    report::Json entry = {{"segment", own(domain, segment.segment)},
+                          {"status", status_word(segment)},
+                          {"present", segment.is_present}};
+    if (segment.encroaching) entry["encroaching_vertex"] = domain.label(*segment.encroaching);
     array.push_back(entry);
   }
   return array;
@@ -228,8 +223,11 @@ class Inspection {
     for (std::size_t i = notes_told_; i < notes.size(); ++i) output_.note(notes[i]);
     summary_ = counts_of(loaded.domain.complex);
     if (wants(kRegions)) add_regions(loaded);
-    if (wants(kProtection)) add_protection(loaded);
-    if (wants(kCdt)) add_cdt(loaded);
+    if (wants(kProtection) || wants(kCdt)) {
+      const construct::EdgeProtection protection = protection_of(loaded, output_);
+      if (wants(kProtection)) add_protection(loaded, protection);
+      if (wants(kCdt)) add_cdt(loaded, protection);
+    }
     know({{"notes", notes}});
     if (wants(kCdt) && !options_.refutations.empty()) {
       output_.end_watch();
@@ -274,12 +272,12 @@ class Inspection {
           {"adoptions", adoptions_json(loaded.domain, facts_)}});
   }
 
-  void add_protection(const LoadedDomain& loaded) {
-    find_edge_protection(loaded, facts_, output_);
+  void add_protection(const LoadedDomain& loaded, const construct::EdgeProtection& protection) {
+    find_edge_protection(loaded, protection, facts_, output_);
     std::string lines;
-    for (const SegmentProtection& protection : facts_.segments) {
-      if (options_.all_segments || !is_strong(protection)) {
-        lines += segment_line(loaded.domain, protection);
+    for (const SegmentFacts& segment : facts_.segments) {
+      if (options_.all_segments || !segment.is_strong()) {
+        lines += segment_line(loaded.domain, segment);
       }
     }
     tell(lines + fmt::format("segments: {}\n", protection_word(facts_)));
@@ -289,10 +287,10 @@ class Inspection {
     if (output_.wants_json()) know({{"protection", segments_json(loaded.domain, facts_)}});
   }
 
-  void add_cdt(const LoadedDomain& loaded) {
+  void add_cdt(const LoadedDomain& loaded, const construct::EdgeProtection& protection) {
     SearchLimits limits = options_.limits;
     if (options_.decide) limits.wrapped_vertices = 0;
-    find_cdt(loaded, limits, facts_, output_);
+    find_cdt(loaded, protection, limits, facts_, output_);
     if (facts_.cdt == CdtAnswer::kUnknown && options_.decide) {
       output_.exit_with(ExitCode::kUndecided);
     }

@@ -7,6 +7,7 @@
 #include "command/inspect/inspect_simplex.hpp"
 #include "command/inspect/simplex_counts.hpp"
 #include "command/output/expected_time.hpp"
+#include "construct/delaunay.hpp"
 #include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/number.hpp"
@@ -39,10 +40,13 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
 
 // An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size
 // of the set; the other balls take a look at every (k+2)-subset.
-Genericity genericity(const PointSet& points, const Triangulation& triangulation,
+Genericity genericity(const PointSet& points, const construct::CanonicalDelaunay& canonical,
                       std::size_t subsets) {
-  const auto empty_ball = reference::cospherical_points_of_an_empty_ball(points, triangulation);
-  if (empty_ball) return {Genericity::Answer::kNotGeneric, *empty_ball, false};
+  if (!canonical.is_known_unique) {
+    const auto empty_ball =
+        reference::cospherical_points_of_an_empty_ball(points, canonical.triangulation);
+    if (empty_ball) return {Genericity::Answer::kNotGeneric, *empty_ball, false};
+  }
   const auto size = static_cast<std::size_t>(points.dimension() + 2);
   if (subsets != 0 && binomial(points.size(), size, subsets + 1) > subsets) {
     return {Genericity::Answer::kUndecided};
@@ -155,9 +159,9 @@ class Inspected {
     add_dimension();
     if (!add_answers()) return;
     if (wants(kGenericity) || wants(kSimplices)) {
-      const Triangulation triangulation = triangulated();
-      if (wants(kGenericity)) add_genericity(triangulation);
-      if (wants(kSimplices)) add_counts(triangulation);
+      const construct::CanonicalDelaunay canonical = triangulated();
+      if (wants(kGenericity)) add_genericity(canonical);
+      if (wants(kSimplices)) add_counts(canonical.triangulation);
     }
     facts_.line = fmt::format("inspected: {} {}", on_one_line(loaded_.name), summary_);
     output_.text(facts_.line + "\n");
@@ -209,17 +213,19 @@ class Inspected {
     return true;
   }
 
-  Triangulation triangulated() {
+  construct::CanonicalDelaunay triangulated() {
     output_.begin("triangulating " + loaded_.name,
                   seconds_of_triangulating(points().size(), points().dimension()));
-    return reference::canonical_delaunay(points(), output_.progress());
+    return construct::any_canonical_delaunay(points(), output_.progress());
   }
 
-  void add_genericity(const Triangulation& triangulation) {
+  void add_genericity(const construct::CanonicalDelaunay& canonical) {
     output_.begin("deciding whether " + loaded_.name + " is generic");
-    const Genericity found = genericity(points(), triangulation, options_.subsets);
+    const Genericity found = genericity(points(), canonical, options_.subsets);
     tell(genericity_text(mesh(), found));
-    if (page_ != nullptr && !found.cospherical.empty()) draw_cospherical(found, triangulation);
+    if (page_ != nullptr && !found.cospherical.empty()) {
+      draw_cospherical(found, canonical.triangulation);
+    }
     summary_ +=
         fmt::format(" {} {}", answer_word(found.answer), found.unique ? "unique" : "not-unique");
     know(genericity_json(mesh(), found));

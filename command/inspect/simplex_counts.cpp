@@ -1,6 +1,6 @@
 #include "command/inspect/simplex_counts.hpp"
 
-#include "reference/optimality/all_triangulations.hpp"
+#include "kernel/complex/simplex.hpp"
 
 namespace circumspect::cli {
 
@@ -32,9 +32,10 @@ std::vector<SimplexCount> simplex_counts(const Triangulation& triangulation, std
     counts.push_back({k, simplices, bound(k, k, points)});
     return counts;
   }
-  for (int j = 1; j <= k; ++j) counts.push_back({j, 0, bound(k, j, points)});
-  for (const Simplex& simplex : optimality::simplicial_complex(triangulation)) {
-    if (simplex.size() > 1) ++counts[simplex.size() - 2].count;
+  for (int j = 1; j <= k; ++j) {
+    const auto corners = static_cast<std::size_t>(j) + 1;
+    counts.push_back({j, j == k ? simplices : faces_of(triangulation.simplices(), corners).size(),
+                      bound(k, j, points)});
   }
   return counts;
 }

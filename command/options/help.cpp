@@ -64,6 +64,7 @@ const std::vector<Group>& groups() {
 }
 
 void put_into_group(CLI::Option& option) {
+  if (option.get_group() == "Input") return;  // the same name means another thing elsewhere
   option.group("Options");
   for (const Group& group : groups()) {
     for (const std::string& name : option.get_lnames()) {

@@ -185,7 +185,7 @@ int status_of(pid_t child) {
   fcntl(own, F_SETFD, FD_CLOEXEC);
   // A session of its own has no terminal, so neither Ctrl-C nor a program's input comes from there.
   setsid();
-  for (const int ignored : kIgnored) signal(ignored, SIG_IGN);
+  set_signals(SIG_IGN);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   Hello hello{Containment::kNamespaces, -1};
   if (wanted != Containment::kSupervisor) hello.supervisor = fork_into_namespaces();

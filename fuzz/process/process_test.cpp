@@ -167,6 +167,16 @@ TEST_CASE("processes that were started in less time than between two looks count
 
 using Clock = std::chrono::steady_clock;
 
+TEST_CASE("no signal but SIGKILL ends the processes above a program") {
+  Trial trial;
+  CHECK(trial
+            .run("above=\"$(ps -o ppid= $PPID) $PPID\"; for number in $(seq 64); do\n"
+                 "  [ $number = 9 ] || [ $number = 19 ] || kill -$number $above\n"
+                 "done; setsid sleep 1000 & exit 3")
+            .code == 3);
+  CHECK(trial.left_behind() == 0);
+}
+
 TEST_CASE("a program that kills the processes above it harms only itself") {
   Trial trial;
   const auto start = Clock::now();

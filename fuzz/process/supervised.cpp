@@ -50,8 +50,7 @@ struct Start {
 
 void become_program(Start* start) {
   setpgid(0, 0);
-  for (const int caught : kIgnored) signal(caught, SIG_DFL);
-  for (const int caught : {SIGPIPE, SIGXFSZ}) signal(caught, SIG_DFL);
+  set_signals(SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -111,6 +110,21 @@ unsigned all_processors() {
 }
 
 }  // namespace
+
+// signal() keeps two numbers for the threads of libc, at which a process ends by default. The
+// kernel makes no difference; it is told in its own structure.
+void set_signals(void (*handler)(int)) {
+  struct {
+    void (*handler)(int);
+    unsigned long flags = 0;
+    void (*restorer)() = nullptr;
+    std::uint64_t mask = 0;
+  } const action{handler};
+  for (int number = 1; number <= SIGRTMAX; ++number) {
+    if (number == SIGCHLD) continue;
+    syscall(SYS_rt_sigaction, number, &action, nullptr, sizeof(action.mask));
+  }
+}
 
 int opened_empty(const std::string& path) {
   const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;

@@ -16,8 +16,11 @@
 
 namespace circumspect::campaign {
 
-// Signals from the terminal, which are meant for the process that wants the answers.
-constexpr int kIgnored[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGTTIN, SIGTTOU};
+// Says what happens at every signal but those that say that a child has ended: SIG_IGN or SIG_DFL.
+// The processes above a program ignore them all: those from the terminal are meant for the process
+// that wants the answers, and a program may send them any others. A fault of their own still ends
+// them. Only makes system calls.
+void set_signals(void (*handler)(int));
 
 // What a run depends on, apart from its request.
 struct Surroundings {

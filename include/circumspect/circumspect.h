@@ -116,8 +116,10 @@ typedef enum circumspect_domain_kind {
   CIRCUMSPECT_WINDING = 4
 } circumspect_domain_kind;
 
-/* A piecewise linear complex. Polygon p has the lines polygon_starts[p] … polygon_starts[p+1] − 1, and
- * line l the corners line_starts[l] … line_starts[l+1] − 1: closed lines of three corners or more
+/* A piecewise linear complex. In the plane, polygons are rings: each covers what an odd number of its
+ * lines enclose, the edges of its lines are segments, and CIRCUMSPECT_KIND_BY_WALLS fills what they cover.
+ * Polygon p has the lines polygon_starts[p] … polygon_starts[p+1] − 1, and line l the
+ * corners line_starts[l] … line_starts[l+1] − 1: closed lines of three corners or more
  * (outline and holes), segments of two, isolated vertices of one. */
 typedef struct circumspect_domain {
   size_t struct_size; /* set by CIRCUMSPECT_DOMAIN */
@@ -127,7 +129,7 @@ typedef struct circumspect_domain {
   const char* const* exact_coordinates;
   int64_t segment_count;
   const int64_t* segments;       /* two indices of points each */
-  int64_t polygon_count;         /* 0 in the plane */
+  int64_t polygon_count;
   const int64_t* polygon_starts; /* polygon_count + 1, ascending from 0 */
   const int64_t* line_starts;    /* as many as there are lines, + 1, ascending from 0 */
   const int64_t* corners;
@@ -147,12 +149,15 @@ typedef struct circumspect_domain {
   const double* region_seeds;
   const char* const* exact_region_seeds;
   int32_t merge_coplanar; /* not 0: coplanar polygons that share an edge count as one */
+  /* Not 0: segments may cross, touch and repeat; where they meet is a vertex, numbered after all others, and
+   * equal points count as one. */
+  int64_t resolve;
 } circumspect_domain;
 
 #define CIRCUMSPECT_DOMAIN                                                                     \
   {                                                                                            \
     sizeof(circumspect_domain), 0, 0, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, 0, 0, \
-        NULL, NULL, NULL, NULL, 0, NULL, NULL, 0                                               \
+        NULL, NULL, NULL, NULL, 0, NULL, NULL, 0, 0                                            \
   }
 
 /* A Voronoi diagram. The cell of site s has the corners cell_starts[s] … cell_starts[s+1] − 1, each an index

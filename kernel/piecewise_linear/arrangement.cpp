@@ -149,7 +149,8 @@ PiecewiseLinearInput arranged(const PiecewiseLinearInput& input) {
   }
   while (true) {
     PiecewiseLinearInput result = cut(input, place, vertices);
-    if (result.polygons.empty()) return result;
+    const bool is_planar = !input.points.empty() && input.points.front().size() == 2;
+    if (result.polygons.empty() || is_planar) return result;
     // Segments are compared with polygons after everything else about both is settled.
     bool has_more = false;
     const auto valid = validated(result, 0);

@@ -12,8 +12,9 @@ namespace circumspect {
 // occurs once, and a segment with equal ends becomes a vertex. So segments of the result meet only
 // in common vertices, and their union is that of the input's segments, as Definition 4.3 of the
 // book requires. Polygons are not changed: if two of them cross or overlap, they still do, and
-// `validated` says so, and likewise for a hole seed that lies on a wall. Requires: segments are
-// pairs of points; in the plane no polygons. Quadratic time.
+// `validated` says so, and likewise for a hole seed that lies on a wall. In the plane the lines of
+// polygons are cut like segments, and their edges are segments only if they are listed as such.
+// Requires: segments are pairs of points. Quadratic time.
 PiecewiseLinearInput arranged(const PiecewiseLinearInput& input);
 
 }  // namespace circumspect

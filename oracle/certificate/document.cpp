@@ -1,6 +1,7 @@
 #include "oracle/certificate/document.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -155,12 +156,21 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
 
 namespace {
 
+// Points of one plane in space that have a triangulation there.
+bool is_flat(const ExactMesh& mesh, const Verdict& verdict) {
+  const bool is_seen =
+      verdict.claim() == Claim::kTriangulation || verdict.claim() == Claim::kDelaunay;
+  return is_seen && verdict.holds() && mesh.points.ambient_dimension() == 3 &&
+         mesh.points.dimension() == 2;
+}
+
 // What certificates do not cover; empty if they cover this.
-std::string limit(const ExactMesh& mesh, Claim claim, bool holds) {
-  if (is_about_a_domain(claim) || (is_about_a_list(claim) && claim != Claim::kComplex)) {
+std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
+  const Claim claim = verdict.claim();
+  if (is_about_a_domain(claim) || is_unproved(claim)) {
     return fmt::format(
-        "expected complex, triangulation, delaunay or weighted-delaunay for a certificate, found "
-        "{}",
+        "expected complex, convex-hull, triangulation, delaunay or weighted-delaunay for a "
+        "certificate, found {}",
         name(claim));
   }
   const std::size_t dimension = mesh.points.ambient_dimension();
@@ -169,8 +179,11 @@ std::string limit(const ExactMesh& mesh, Claim claim, bool holds) {
     return fmt::format("expected points of dimension 2 or 3 for a certificate, found dimension {}",
                        dimension);
   }
-  if (claim == Claim::kComplex && holds) return "";  // wherever the points are
-  if (mesh.points.dimension() != static_cast<int>(dimension)) {
+  if (claim == Claim::kComplex && verdict.holds()) return "";  // wherever the points are
+  if (claim == Claim::kConvexHull && !verdict.holds()) {
+    return "there is no refutation of this mesh: none shows that facets are not those of a hull";
+  }
+  if (mesh.points.dimension() != static_cast<int>(dimension) && !is_flat(mesh, verdict)) {
     return fmt::format(
         "expected points that span the {} for a certificate, found that all of them lie {}",
         dimension == 2 ? "plane" : "space",
@@ -183,13 +196,21 @@ std::string limit(const ExactMesh& mesh, Claim claim, bool holds) {
 
 }  // namespace
 
+bool is_unproved(Claim claim) {
+  return is_about_a_list(claim) && claim != Claim::kComplex && claim != Claim::kConvexHull;
+}
+
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
-  const std::string beyond = limit(mesh, verdict.claim(), verdict.holds());
+  const std::string beyond = limit(mesh, verdict);
   if (!beyond.empty()) return tl::unexpected(beyond);
+  if (verdict.claim() == Claim::kConvexHull) return hull_certificate_of(mesh);
   auto points = scaled_to_integers(mesh.points);
   if (!points) return tl::unexpected(points.error());
   if (verdict.holds() && verdict.claim() == Claim::kComplex) {
     return complex_certificate_of(mesh, std::move(*points));
+  }
+  if (is_flat(mesh, verdict)) {
+    return flat_certificate_of(mesh, verdict.claim(), std::move(*points));
   }
   if (verdict.holds()) {
     Certificate certificate = certificate_of(mesh, verdict.claim(), std::move(*points));
@@ -219,14 +240,17 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
 }
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {
-  if (const auto* certificate = std::get_if<Certificate>(&document)) {
-    write(out, mesh, *certificate);
-  } else if (const auto* of_complex = std::get_if<ComplexCertificate>(&document)) {
-    write(out, mesh, *of_complex);
-  } else {
-    const auto& refuted = std::get<RefutationWithPoints>(document);
-    write(out, mesh, refuted.points, refuted.refutation);
+  if (const auto* refuted = std::get_if<RefutationWithPoints>(&document)) {
+    write(out, mesh, refuted->points, refuted->refutation);
+    return;
   }
+  std::visit(
+      [&](const auto& certificate) {
+        if constexpr (!std::is_same_v<decltype(certificate), const RefutationWithPoints&>) {
+          write(out, mesh, certificate);
+        }
+      },
+      document);
 }
 
 }  // namespace circumspect::certificate

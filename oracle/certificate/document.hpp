@@ -11,6 +11,8 @@
 
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/complex_certificate.hpp"
+#include "oracle/certificate/flat_certificate.hpp"
+#include "oracle/certificate/hull_certificate.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -52,12 +54,16 @@ struct RefutationWithPoints {
   ScaledPoints points;
 };
 
-using Document = std::variant<Certificate, ComplexCertificate, RefutationWithPoints>;
+using Document = std::variant<Certificate, ComplexCertificate, HullCertificate, FlatCertificate,
+                              RefutationWithPoints>;
+
+// Claims of which nothing is proved.
+bool is_unproved(Claim claim);
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
-// people: other claims; points that span no plane or space (where the claim is not complex, or
-// fails), or have other dimensions; a verdict that fails for nothing but rules that are not part of
-// the claim.
+// people: other claims; points of other dimensions, or that span no plane or space (but where the
+// claim complex holds, or they have a triangulation in a plane of space); a verdict that fails for
+// nothing but rules that are no part of the claim, or of which there is no refutation.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);

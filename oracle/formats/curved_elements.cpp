@@ -123,6 +123,29 @@ std::vector<Vertex> nodes_between_corners(const ElementFile& file) {
   return between;
 }
 
+std::optional<BetweenCorners> take_corners(SimplexFile& simplices, const PointFile& points,
+                                           const std::string& name) {
+  const std::size_t corners = points.dimension + 1;
+  const bool is_of_mesh = points.dimension == 2 || points.dimension == 3;
+  const std::size_t nodes = simplices.simplices.columns();
+  if (!is_of_mesh || simplices.simplices.empty() || nodes != corners + edges_of(corners)) {
+    return std::nullopt;
+  }
+  ElementFile file;
+  file.points = points;
+  SimplexFile& kept = corners == 3 ? file.triangles : file.tetrahedra;
+  for (const Simplex& simplex : simplices.simplices) {
+    kept.simplices.push_back(
+        {simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(corners)});
+    file.corners_of_curved.push_back(corners);
+  }
+  file.curved.simplices = std::move(simplices.simplices);
+  BetweenCorners between{nodes_between_corners(file), note_of_curved(file, name).value()};
+  simplices.simplices = std::move(kept.simplices);
+  simplices.vertices_per_simplex = corners;
+  return between;
+}
+
 std::optional<std::string> note_of_curved(const ElementFile& file, const std::string& name) {
   const SimplexRows& curved = file.curved.simplices;
   if (curved.empty()) return std::nullopt;

@@ -18,4 +18,15 @@ std::vector<Vertex> nodes_between_corners(const ElementFile& file);
 // how far the node farthest from the middle of its edge is off. Nothing if no element is curved.
 std::optional<std::string> note_of_curved(const ElementFile& file, const std::string& name);
 
+// Leaves only their corners of listed simplices that all have as many nodes as those of second order
+// in the dimension of the points, as Triangle and TetGen write them with -o2: 6 in the plane, 10 in
+// space, the corners first. Returns the nodes as nodes_between_corners does, and the note; nothing,
+// and nothing changes, if the simplices have other numbers of nodes.
+struct BetweenCorners {
+  std::vector<Vertex> nodes = {};
+  std::string note = {};
+};
+std::optional<BetweenCorners> take_corners(SimplexFile& simplices, const PointFile& points,
+                                           const std::string& name);
+
 }  // namespace circumspect::formats

@@ -100,4 +100,37 @@ TEST_CASE("curved: a domain has the corners of faces") {
         "of its edge, ~ 1 off");
 }
 
+TEST_CASE("curved: .ele lists nodes of second order behind the corners, as -o2 writes them") {
+  const ScratchFolder folder;
+  folder.write("x.node",
+               "9 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 .5 0\n6 1 .5\n7 .5 1\n8 0 .5\n9 .5 .75\n");
+  const auto plane =
+      read_mesh({.mesh = folder.write("x.ele", "2 6\n1 1 2 3 6 9 5\n2 1 3 4 7 8 9\n")});
+  REQUIRE_MESSAGE(plane, error_of(plane));
+  CHECK(plane->mesh.points() == 4);
+  CHECK(plane->mesh.first_index == 1);
+  CHECK(plane->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2}, {0, 2, 3}});
+  REQUIRE(plane->notes.size() == 1);
+  CHECK(plane->notes.front().ends_with(
+      "x.ele: 2 elements of second order are judged by their corners; node 9 is farthest from the "
+      "middle of its edge, ~ 0.25 off"));
+  folder.write(
+      "y.node",
+      "10 3\n0 0 0 0\n1 2 0 0\n2 0 2 0\n3 0 0 2\n4 1 0 0\n5 1 1 0\n6 0 1 0\n7 0 0 1\n8 0 1 "
+      "1\n9 1 0 1\n");
+  folder.write("y.neigh", "1 4\n0 -1 -1 -1 -1\n");
+  MeshRequest request{.mesh = folder.write("y.ele", "1 10\n0 0 1 2 3 4 5 6 7 8 9\n")};
+  request.with_neighbors = true;
+  const auto space = read_mesh(request);
+  REQUIRE_MESSAGE(space, error_of(space));
+  CHECK(space->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(space->mesh.points() == 4);
+  CHECK(space->mesh.neighbors);
+  // Six nodes are of no simplex in space.
+  CHECK(
+      error_of(read_mesh({.mesh = folder.write("y.ele", "1 6\n0 0 1 2 3 4 5\n")}))
+          .ends_with("y.ele:2: expected at most 4 vertices of a simplex in dimension 3, found 6 "
+                     "(elements of second order and facets that are no simplices are not judged)"));
+}
+
 }  // namespace circumspect::formats

@@ -9,15 +9,6 @@ namespace circumspect::formats {
 
 namespace {
 
-// The line without corners that repeat the previous one; the last corner counts as previous to the
-// first.
-std::vector<Vertex> without_repetitions(const std::vector<Vertex>& line) {
-  std::vector<Vertex> corners;
-  std::unique_copy(line.begin(), line.end(), std::back_inserter(corners));
-  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  return corners;
-}
-
 // Is there a cycle among segments? A forest of them encloses nothing.
 bool has_cycle(const std::set<Simplex>& segments) {
   std::map<Vertex, Vertex> parent;
@@ -54,6 +45,13 @@ bool has_area(const PolygonLines& facet) {
 }
 
 }  // namespace
+
+std::vector<Vertex> without_repetitions(const std::vector<Vertex>& line) {
+  std::vector<Vertex> corners;
+  std::unique_copy(line.begin(), line.end(), std::back_inserter(corners));
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  return corners;
+}
 
 Status take_points(DomainFile& file, PointFile points, std::size_t line) {
   if (points.dimension != 2 && points.dimension != 3) {

@@ -31,6 +31,8 @@ struct DomainFile {
   // In the plane: the faces that the file lists. Only these are filled, unless the user says
   // otherwise; if there are none, everything that segments enclose is filled.
   std::vector<PolygonLines> faces = {};
+  // Faces have no hole seeds, and cover what an odd number of their lines enclose.
+  bool faces_are_rings = false;
   // The file has points in space, and was read as a planar one (plane.hpp): what was left out, and
   // the unchanged domain, with its faces among the polygons.
   struct Flat {
@@ -49,6 +51,10 @@ Status take_points(DomainFile& file, PointFile points, std::size_t line);
 
 // The place of a point that a file names by `index`. Errors: there is no such point.
 Result<Vertex> place_of(const DomainFile& file, Vertex index, std::size_t line);
+
+// The line without corners that repeat the previous one; the last corner counts as previous to the
+// first.
+std::vector<Vertex> without_repetitions(const std::vector<Vertex>& line);
 
 // Adds a facet of TetGen's: closed lines of three corners or more, segments of two and isolated
 // vertices of one. Consecutive equal corners become one, which is noted. Lines that enclose no area

@@ -1,4 +1,4 @@
-// Files of engineers' programs, SU2 and Abaqus: what is read, what is refused, and the messages.
+// Files of engineers' programs, SU2, Abaqus and AVS: what is read, what is refused, and the messages.
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
@@ -7,6 +7,7 @@
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/su2.hpp"
+#include "oracle/formats/ucd.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -57,6 +58,19 @@ TEST_CASE("su2: in the plane, with settings that are skipped") {
   CHECK(!is_su2_keyword("%"));
 }
 
+TEST_CASE("su2: zones are one mesh, each with indices of its own") {
+  const std::string zone = "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\n";
+  const auto file = read_su2(
+      named("NZONE= 2\nIZONE= 1\n" + zone + "NMARK= 1\nMARKER_ELEMS= 1\n3 0 1\nIZONE= 2\n" + zone),
+      kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points.size() == 6);
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {3, 4, 5}});
+  CHECK(file->triangles.labels == std::vector<Vertex>{1, 2});
+  CHECK(file->edges.simplices == std::vector<Simplex>{{0, 1}});
+  CHECK(file->notes.size() == 1);
+}
+
 TEST_CASE("su2: faults and their lines") {
   CHECK(su2_error("") == "f:1: expected the key NPOIN, found the end of the file");
   CHECK(su2_error("x\n") == "f:1: expected a key, as NDIME= 3, found \"x\"");
@@ -78,7 +92,15 @@ TEST_CASE("su2: faults and their lines") {
   CHECK(su2_error("NELEM= 1\n10 0 1 2\n") ==
         "f:2: expected type 10, 4 vertices and perhaps an index, found 4 columns");
   CHECK(su2_error("NELEM= 1\n") == "f:1: expected element 1 of 1, found the end of the file");
-  CHECK(su2_error("NZONE= 2\n") == "f:1: expected a mesh of one zone, found \"2\"");
+  CHECK(su2_error("NZONE= 0\n") == "f:1: expected 1 zone or more, found 0");
+  CHECK(su2_error("NZONE= 2\nIZONE= 2\n") == "f:2: expected zone 1 of 2, found \"2\"");
+  CHECK(su2_error("NZONE= 1\nIZONE= 1\nIZONE= 2\n") == "f:3: expected zone 2 of 1, found \"2\"");
+  CHECK(su2_error("NZONE= 2\nIZONE= 1\nNDIME= 2\nIZONE= 2\n")
+            .ends_with("expected the key NPOIN, found \"IZONE=\""));
+  CHECK(su2_error("NZONE= 2\nIZONE= 1\nNDIME= 2\nNPOIN= 0\nNELEM= 0\n") ==
+        "f:5: expected zone 2 of 2, found the end of the file");
+  CHECK(su2_error("NZONE= 2\nIZONE= 1\nNDIME= 2\nNPOIN= 0\nNELEM= 0\nIZONE= 2\nNDIME= 3\n") ==
+        "f:7: expected dimension 2, as in zone 1, found \"3\"");
   CHECK(su2_error("NDIME= 2\nNPOIN= 0\n") ==
         "f:2: expected the key NELEM, found the end of the file");
 }
@@ -208,6 +230,44 @@ TEST_CASE("su2: what is there twice is refused") {
   CHECK(su2_error("NZONE= 1\n" + once) == "no error");
   CHECK(su2_error("NDIME= 2\nNPOIN= 1\n0 0\nNELEM= 1\n3 0 1 7 8\n") ==
         "f:5: expected type 3, 2 vertices and perhaps an index, found 5 columns");
+}
+
+TEST_CASE("ucd: nodes by their tags, cells with their materials; data is not read") {
+  const std::string text =
+      "# a comment\n4 3 1 0 0\n7 0 0 0\n8 1 0 0\n9 0 1 0\n11 0 0 .1\n1 5 tet 7 8 9 11\n2 6 tri 7 8 "
+      "9\n"
+      "3 6 PT 7\n1 1\nstress, MPa\n7 0\n8 red\n";
+  const auto file = read_ucd(named(text), kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points[3] == Point{0, 0, exact_value(0.1)});
+  CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{1, 2, 3, 4}});
+  CHECK(file->tetrahedra.labels == std::vector<Vertex>{5});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
+  CHECK(file->tetrahedra.lines == std::vector<std::size_t>{7});
+  CHECK(file->notes.size() == 1);  // the tags leave a gap
+  CHECK(is_ucd(Beginning(named(text))));
+  CHECK(!is_ucd(Beginning(named("4 2 0 0\n"))));
+  CHECK(!is_ucd(Beginning(named("*Heading\n"))));
+  CHECK((format_of(".inp", named(text))->elements == read_ucd));
+  CHECK((format_of(".inp", named("*Heading\n"))->elements == read_abaqus));
+}
+
+TEST_CASE("ucd: faults and their lines") {
+  const auto error = [](const char* text) { return error_of(read_ucd(named(text), kDouble)); };
+  CHECK(error("") ==
+        "f:1: expected the numbers of nodes, cells and data, found the end of the file");
+  CHECK(error("1 0 0\n") ==
+        "f:1: expected 5 numbers: of nodes, cells and data of 3 kinds, found 3");
+  CHECK(error("1 0 0 0 0\n") == "f:1: expected node 1 of 1, found the end of the file");
+  CHECK(error("1 0 0 0 0\n1 0 0\n") == "f:2: expected 4 columns of node 1 of 1, found 3");
+  CHECK(error("1 1 0 0 0\n1 0 0 0\n1 0\n") ==
+        "f:3: expected an index, a material and the type of cell 1 of 1, found 2 columns");
+  CHECK(error("1 1 0 0 0\n1 0 0 0\n1 0 cube 1\n") ==
+        "f:3: expected pt, line, tri, quad, tet, pyr, prism or hex, found \"cube\"");
+  CHECK(error("1 1 0 0 0\n1 0 0 0\n1 0 tri 1 1\n") ==
+        "f:3: expected 3 vertices, or 6 of second order, found 2");
+  CHECK(error("2 0 0 0 0\n1 0 0 0\n1 0 0 0\n") ==
+        "f: expected a tag of its own for each node, found tag 1 twice");
 }
 
 }  // namespace circumspect::formats

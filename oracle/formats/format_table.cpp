@@ -5,6 +5,7 @@
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/freefem.hpp"
+#include "oracle/formats/geojson.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/medit.hpp"
@@ -23,9 +24,11 @@
 #include "oracle/formats/su2.hpp"
 #include "oracle/formats/tet.hpp"
 #include "oracle/formats/tetgen.hpp"
+#include "oracle/formats/ucd.hpp"
 #include "oracle/formats/unv.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
+#include "oracle/formats/wkt.hpp"
 
 namespace circumspect::formats {
 
@@ -193,6 +196,11 @@ bool is_obj(const Beginning& file) { return is_obj_keyword(file.first_token); }
 bool is_ply(const Beginning& file) { return file.first_token == "ply"; }
 bool begins_as_npy(const Beginning& file) { return is_npy(file.text); }
 bool begins_as_npz(const Beginning& file) { return is_npz(file.text); }
+bool begins_as_geojson(const Beginning& file) { return is_geojson(file.text); }
+bool is_geojson_object(const Beginning& file) {
+  return begins_with(file.text, '{') && is_geojson(file.text);
+}
+bool begins_as_wkt(const Beginning& file) { return is_wkt(file.text); }
 bool is_stl(const Beginning& file) { return file.first_token == "solid"; }
 
 // The order is that of messages and of the help.
@@ -217,6 +225,11 @@ constexpr std::array kFormats = {
            .mesh = mesh_of_off,
            .domain = domain_of_off},
     Format{.endings = {".stl"}, .is_told = is_stl, .domain = read_stl},
+    Format{.endings = {".geojson", ".json"},
+           .is_told = begins_as_geojson,
+           .is_meant = is_geojson_object,
+           .domain = read_geojson},
+    Format{.endings = {".wkt"}, .is_told = begins_as_wkt, .domain = read_wkt},
     Format{.endings = {".mesh"}, .is_told = is_medit, .elements = read_medit, .write = write_medit},
     Format{.endings = {".msh"}, .is_told = is_gmsh, .elements = read_gmsh, .write = write_gmsh},
     Format{.endings = {".mesh"}, .is_told = is_mfem, .is_meant = is_mfem, .elements = read_mfem},
@@ -234,6 +247,7 @@ constexpr std::array kFormats = {
            .is_told = is_abaqus,
            .is_meant = is_abaqus,
            .elements = read_abaqus},
+    Format{.endings = {".inp"}, .is_meant = is_ucd, .elements = read_ucd},
     Format{.endings = {".bdf", ".nas"}, .is_told = is_nastran, .elements = read_nastran},
     Format{.endings = {".unv"}, .is_told = is_unv, .elements = read_unv},
     Format{.endings = {".su2"}, .is_told = is_su2, .elements = read_su2},

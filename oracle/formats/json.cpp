@@ -1,40 +1,12 @@
 #include "oracle/formats/json.hpp"
 
-#include <iterator>
-
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/number_text.hpp"
 #include "oracle/formats/json_events.hpp"
+#include "oracle/formats/json_text.hpp"
 
 namespace circumspect::formats {
 namespace {
-
-// Feeds the text to the parser and records how far it has read, which its events do not say.
-class TextIterator {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  TextIterator(const char* at, const char*& position) : at_(at), position_(&position) {}
-  reference operator*() const { return *at_; }
-  TextIterator& operator++() {
-    *position_ = ++at_;
-    return *this;
-  }
-  TextIterator operator++(int) {
-    TextIterator before = *this;
-    ++*this;
-    return before;
-  }
-  bool operator==(const TextIterator& other) const { return at_ == other.at_; }
-
- private:
-  const char* at_;
-  const char** position_;
-};
 
 std::string number_or_string(const Rational& value) {
   const std::string text = to_text_of_double_or_fraction(value);
@@ -66,11 +38,9 @@ void write_rows(std::ostream& out, const std::string& key, const Rows& rows) {
 }  // namespace
 
 Result<JsonFile> read_json(const Source& source, NumberReading reading) {
-  const char* const begin = source.text.data();
-  const char* position = begin;
-  JsonEvents events(source, position, reading);
-  nlohmann::json::sax_parse(TextIterator(begin, position),
-                            TextIterator(begin + source.text.size(), position), &events);
+  JsonText text(source);
+  JsonEvents events(text, reading);
+  text.parse(events);
   return events.finish();
 }
 

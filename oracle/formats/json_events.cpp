@@ -7,28 +7,8 @@
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
-namespace {
-
-// nlohmann-json's number for "does not fit a double".
-constexpr int kNumberOverflow = 406;
-
-}  // namespace
-
-JsonEvents::JsonEvents(const Source& source, const char* const& position, NumberReading reading)
-    : source_(source), position_(position), reading_(reading), counted_(source.text.data()) {}
-
-std::size_t JsonEvents::line() {
-  // The parser has read the token, and after a number one more character.
-  const char* const end = position_ == source_.text.data() ? position_ : position_ - 1;
-  if (end > counted_) {
-    line_ += static_cast<std::size_t>(std::count(counted_, end, '\n'));
-    counted_ = end;
-  }
-  return line_;
-}
-
 bool JsonEvents::fail(const std::string& expected, const std::string& found) {
-  error_ = {source_.name, line(), expected, found};
+  error_ = {text_.file(), text_.line(), expected, found};
   return false;
 }
 
@@ -58,14 +38,7 @@ std::string JsonEvents::wanted() const {
   }
 }
 
-bool JsonEvents::number_float(double, const std::string& text) {
-  // The parser puts the locale's decimal point in place of the one that was written.
-  std::string written = text;
-  for (char& c : written) {
-    if (std::string_view("0123456789+-eE").find(c) == std::string_view::npos) c = '.';
-  }
-  return number(written);
-}
+bool JsonEvents::number_float(double, const std::string& text) { return number(as_written(text)); }
 
 bool JsonEvents::number(std::string_view text) {
   Vertex vertex = 0;
@@ -136,7 +109,7 @@ bool JsonEvents::key(const std::string& name) {
   }
   key_ = static_cast<Key>(known - kNames.begin());
   if (line_of_[key_] > 0) return fail("every key once", quote(name) + " again");
-  line_of_[key_] = line();
+  line_of_[key_] = text_.line();
   return true;
 }
 
@@ -152,7 +125,7 @@ bool JsonEvents::start_array(std::size_t) {
   ++depth_;
   point_.clear();
   simplex_.clear();
-  if (depth_ == 3 && is_list_of_vertices()) cells().lines.push_back(line());
+  if (depth_ == 3 && is_list_of_vertices()) cells().lines.push_back(text_.line());
   return true;
 }
 
@@ -183,33 +156,14 @@ bool JsonEvents::end_of_simplex() {
 
 bool JsonEvents::parse_error(std::size_t, const std::string& last_token,
                              const nlohmann::json::exception& error) {
-  if (error.id == kNumberOverflow) {
-    return fail("a number within the range of double (a string may hold more)", quote(last_token));
-  }
-  // The message ends with the parser's own: "…- invalid literal; last read: 'nan'".
-  const std::string_view message = error.what();
-  const std::string_view reason = message.substr(std::min(message.find(" - ") + 3, message.size()));
-  const std::string_view why = reason.substr(0, reason.find(';'));
-  if (why == "unexpected end of input") {
-    return fail("the rest of the JSON text", "the end of the file");
-  }
-  return fail("valid JSON", quote(end_of_what_was_read()) + " (" +
-                                std::string(why.substr(0, 2 * kLongestQuote)) + ")");
-}
-
-std::string_view JsonEvents::end_of_what_was_read() const {
-  constexpr std::size_t kEnough = kLongestQuote / 2;
-  const std::string_view text = source_.text;
-  std::string_view read = text.substr(0, static_cast<std::size_t>(position_ - text.data()));
-  if (read.size() > kEnough) read.remove_prefix(read.size() - kEnough);
-  const std::size_t line_start = read.find_last_of('\n', read.size() - 2) + 1;
-  return read.size() < 2 ? read : read.substr(line_start);
+  error_ = text_.fault(last_token, error);
+  return false;
 }
 
 Status JsonEvents::check_whole() const {
   const auto fail_at = [this](Key key, std::string expected, std::string found) {
     return tl::unexpected(
-        FormatError{source_.name, line_of_[key], std::move(expected), std::move(found)});
+        FormatError{text_.file(), line_of_[key], std::move(expected), std::move(found)});
   };
   for (const Key key : {kVersion, kDimension, kPoints}) {
     if (line_of_[key] == 0) {
@@ -243,7 +197,7 @@ Status JsonEvents::check_faces() const {
     const std::size_t size = faces.simplices.size_of(i);
     if (size <= file_.points.dimension) continue;
     return tl::unexpected(
-        FormatError{source_.name, faces.lines[i],
+        FormatError{text_.file(), faces.lines[i],
                     "a face of at most " + std::to_string(file_.points.dimension) +
                         " vertices in dimension " + std::to_string(file_.points.dimension),
                     "one of " + std::to_string(size)});

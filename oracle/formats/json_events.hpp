@@ -7,19 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "kernel/exact/number_text.hpp"
 #include "oracle/formats/json.hpp"
+#include "oracle/formats/json_text.hpp"
 
 namespace circumspect::formats {
 
 // The interface is the one that nlohmann::json::sax_parse calls: true continues, false stops.
 class JsonEvents {
  public:
-  // `position` points after the last character that the parser has taken from the source. Requires:
-  // both outlive this object.
-  JsonEvents(const Source& source, const char* const& position, NumberReading reading);
+  // Requires: the text, whose events these are, outlives this object.
+  JsonEvents(JsonText& text, NumberReading reading) : text_(text), reading_(reading) {}
 
   bool null() { return mismatch("null"); }
   bool boolean(bool value) { return mismatch(value ? "true" : "false"); }
@@ -73,12 +71,8 @@ class JsonEvents {
   std::string wanted() const;
   bool mismatch(const std::string& found) { return fail(wanted(), found); }
   bool fail(const std::string& expected, const std::string& found);
-  std::size_t line();
-  // The last characters of the line that the parser took, for messages.
-  std::string_view end_of_what_was_read() const;
 
-  const Source& source_;
-  const char* const& position_;
+  JsonText& text_;
   NumberReading reading_;
   JsonFile file_;
   Point point_;  // being read, as the next one
@@ -88,9 +82,6 @@ class JsonEvents {
   int depth_ = 0;                                // the open objects and arrays
   Key key_ = kKeys;                              // whose value is being read
   std::array<std::size_t, kKeys> line_of_ = {};  // 0: the key was not seen
-  // Lines are counted on the way: the text before `counted_` ends on line `line_`.
-  const char* counted_;
-  std::size_t line_ = 1;
 };
 
 }  // namespace circumspect::formats

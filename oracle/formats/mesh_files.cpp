@@ -7,6 +7,7 @@
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/packed.hpp"
+#include "oracle/formats/curved_elements.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/npy.hpp"
@@ -282,6 +283,12 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   Result<RawPoints> points = points_of_mesh(request, path, *format, *contents);
   if (!points) return tl::unexpected(points.error());
   Mesh& mesh = file.mesh;
+  if (format->endings.front() == ".ele") {
+    if (auto curved = take_corners(contents->simplices, points->points, file.mesh_name)) {
+      contents->nodes_between = std::move(curved->nodes);
+      contents->notes.push_back(std::move(curved->note));
+    }
+  }
   Result<std::vector<Rational>> weights = weights_of(*points, request.weights);
   mesh.coordinates = std::move(points->points.points).as_numbers(points->points.dimension);
   mesh.first_index = points->points.first_index;

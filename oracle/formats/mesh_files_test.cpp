@@ -306,10 +306,10 @@ TEST_CASE("what cannot be found or judged") {
 TEST_CASE("simplices that are none are named by their line") {
   const ScratchFolder folder;
   const std::string node = folder.write("x.node", kSquareFrom1);
-  const std::string ele = folder.write("x.ele", "1 6\n1 1 2 3 4 1 2\n");
+  const std::string ele = folder.write("x.ele", "1 5\n1 1 2 3 4 1\n");
   CHECK(error_of(mesh_of(ele)) ==
         ele +
-            ":2: expected at most 3 vertices of a simplex in dimension 2, found 6 (elements of "
+            ":2: expected at most 3 vertices of a simplex in dimension 2, found 5 (elements of "
             "second order and facets that are no simplices are not judged)");
   const std::string facets = folder.write("y.qhull-i", "2\n0 1 2\n0 1 2 3\n");
   CHECK(error_of(mesh_of(facets, node)) ==

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ class Su2Reader {
   bool next();
   Result<std::size_t> count(const std::string& what);
   Status read_key();
+  Status read_number_of_zones();
+  Status begin_zone();
+  Status expect_whole_zone() const;
   Status read_dimension();
   Status read_points();
   Status read_elements(const std::string& noun);
@@ -41,6 +45,10 @@ class Su2Reader {
   std::string key_;    // empty: the line has none
   std::string value_;  // the first word behind it
   bool is_skipping_ = false;
+  Vertex zones_ = 1;
+  Vertex zone_ = 0;           // the current one, from 1; 0: before the first
+  Vertex first_of_zone_ = 0;  // the place of its first point
+  bool has_dimension_ = false;
   bool has_points_ = false;
   bool has_elements_ = false;
   Simplex vertices_;
@@ -68,10 +76,15 @@ Result<std::size_t> Su2Reader::count(const std::string& what) {
 }
 
 Status Su2Reader::read_dimension() {
-  if (file_.points.dimension != 0) return lines_.fail("one NDIME", "another");
+  if (has_dimension_) return lines_.fail("one NDIME", "another");
+  has_dimension_ = true;
   const Result<std::size_t> dimension = count("the dimension");
   if (!dimension) return tl::unexpected(dimension.error());
   if (*dimension != 2 && *dimension != 3) return lines_.fail("dimension 2 or 3", quote(value_));
+  if (zone_ > 1 && *dimension != file_.points.dimension) {
+    return lines_.fail("dimension " + std::to_string(file_.points.dimension) + ", as in zone 1",
+                       quote(value_));
+  }
   file_.points.dimension = *dimension;
   file_.points.points.set_columns(*dimension);
   return {};
@@ -79,7 +92,7 @@ Status Su2Reader::read_dimension() {
 
 Status Su2Reader::read_points() {
   const std::size_t dimension = file_.points.dimension;
-  if (dimension == 0) return lines_.fail("NDIME before NPOIN", "NPOIN");
+  if (!has_dimension_) return lines_.fail("NDIME before NPOIN", "NPOIN");
   if (has_points_) return lines_.fail("one NPOIN", "another");
   has_points_ = true;
   const Result<std::size_t> points = count("the number of points");
@@ -122,7 +135,11 @@ Status Su2Reader::read_element(const std::string& noun) {
     const Result<Vertex> index = lines_.integer(1 + size->vertices, "the index of an " + noun);
     if (!index) return tl::unexpected(index.error());
   }
-  add_vtk_cell(file_, *type, vertices_, lines_.line());
+  for (Vertex& v : vertices_) {
+    if (__builtin_add_overflow(v, first_of_zone_, &v)) return lines_.fail_at(1, "a vertex");
+  }
+  const auto label = zones_ > 1 ? std::optional(zone_) : std::nullopt;
+  add_vtk_cell(file_, *type, vertices_, lines_.line(), label);
   return {};
 }
 
@@ -139,6 +156,37 @@ Status Su2Reader::read_elements(const std::string& noun) {
   return {};
 }
 
+Status Su2Reader::read_number_of_zones() {
+  const Result<std::size_t> zones = count("the number of zones");
+  if (!zones) return tl::unexpected(zones.error());
+  if (*zones == 0) return lines_.fail("1 zone or more", "0");
+  zones_ = static_cast<Vertex>(*zones);
+  return {};
+}
+
+// Each zone is a mesh with indices of its own.
+Status Su2Reader::begin_zone() {
+  const Result<std::size_t> zone = count("the number of a zone");
+  if (!zone) return tl::unexpected(zone.error());
+  if (static_cast<Vertex>(*zone) != zone_ + 1 || *zone > static_cast<std::size_t>(zones_)) {
+    return lines_.fail("zone " + std::to_string(zone_ + 1) + " of " + std::to_string(zones_),
+                       quote(value_));
+  }
+  if (zone_ > 0) {
+    if (Status whole = expect_whole_zone(); !whole) return whole;
+  }
+  ++zone_;
+  first_of_zone_ = static_cast<Vertex>(file_.points.points.size());
+  has_dimension_ = has_points_ = has_elements_ = false;
+  return {};
+}
+
+Status Su2Reader::expect_whole_zone() const {
+  if (!has_points_) return lines_.fail_at(0, "the key NPOIN");
+  if (!has_elements_) return lines_.fail_at(0, "the key NELEM");
+  return {};
+}
+
 Status Su2Reader::read_key() {
   is_skipping_ = false;
   if (key_ == "NDIME") return read_dimension();
@@ -149,7 +197,8 @@ Status Su2Reader::read_key() {
     return read_elements("element");
   }
   if (key_ == "MARKER_ELEMS") return read_elements("element of a marker");
-  if (key_ == "NZONE" && value_ != "1") return lines_.fail("a mesh of one zone", quote(value_));
+  if (key_ == "NZONE") return read_number_of_zones();
+  if (key_ == "IZONE") return begin_zone();
   is_skipping_ = true;
   return {};
 }
@@ -160,8 +209,16 @@ Result<ElementFile> Su2Reader::read() {
     if (key_.empty()) return lines_.fail_at(0, "a key, as NDIME= 3");
     if (Status key = read_key(); !key) return tl::unexpected(key.error());
   }
-  if (!has_points_) return lines_.fail_at(0, "the key NPOIN");
-  if (!has_elements_) return lines_.fail_at(0, "the key NELEM");
+  if (Status whole = expect_whole_zone(); !whole) return tl::unexpected(whole.error());
+  if (zones_ > 1 && zone_ < zones_) {
+    return lines_.fail("zone " + std::to_string(zone_ + 1) + " of " + std::to_string(zones_),
+                       "the end of the file");
+  }
+  if (zones_ > 1) {
+    file_.notes.push_back(lines_.file() + ": " + std::to_string(zones_) +
+                          " zones are read as one mesh, with the number of the zone as label; "
+                          "points are listed one zone after the other");
+  }
   finish_elements(file_);
   return std::move(file_);
 }

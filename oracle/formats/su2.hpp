@@ -11,7 +11,8 @@
 //     MARKER_ELEMS= 4                             their elements, likewise
 //     5 0 1 2
 //
-// Other keys, with the lines below them, are skipped.
+// Other keys, with the lines below them, are skipped. Several zones, NZONE= n and then IZONE= 1 …, have
+// indices of their own, and are read as one mesh with the zones as labels.
 #pragma once
 
 #include <string_view>
@@ -26,7 +27,7 @@ namespace circumspect::formats {
 // Is this a key with which such a file begins?
 bool is_su2_keyword(std::string_view token);
 
-// Points are counted from 0. Errors: also, several zones in one file.
+// Points are counted from 0, and those of a further zone behind those of the zones before.
 Result<ElementFile> read_su2(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats

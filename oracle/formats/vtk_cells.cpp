@@ -64,17 +64,18 @@ SimplexFile* list_of(ElementFile& file, const ElementType& type) {
 }  // namespace
 
 std::optional<std::string> add_vtk_cell(ElementFile& file, Vertex type,
-                                        std::span<const Vertex> vertices, std::size_t line) {
+                                        std::span<const Vertex> vertices, std::size_t line,
+                                        std::optional<Vertex> label) {
   const ElementType* const found = type_of(type);
   if (found == nullptr) {
     if (type < kFirstCurved || type > kLastCurved) return "a type of cells that VTK knows";
     return add_element(file, ElementShape::kCurved, vertices, "a cell of second order or more",
-                       line);
+                       line, label);
   }
   if (found->vertices != 0 && vertices.size() != found->vertices) {
     return std::string(found->name) + " of " + std::to_string(found->vertices) + " vertices";
   }
-  return add_element(file, found->shape, vertices, found->name, line);
+  return add_element(file, found->shape, vertices, found->name, line, label);
 }
 
 bool take_vtk_cells(ElementFile& file, const Indices& types, VtkCells& cells) {

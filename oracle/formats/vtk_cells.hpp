@@ -27,7 +27,8 @@ inline constexpr Vertex kVtkPolygon = 7;
 
 // Adds a cell. If its type or its number of vertices is wrong, returns what was expected.
 std::optional<std::string> add_vtk_cell(ElementFile& file, Vertex type,
-                                        std::span<const Vertex> vertices, std::size_t line);
+                                        std::span<const Vertex> vertices, std::size_t line,
+                                        std::optional<Vertex> label = {});
 
 // Takes all cells over at once, if the file has none so far and all of them are tetrahedra,
 // triangles or edges; else does nothing and returns false.

@@ -7,6 +7,7 @@
 
 #include "kernel/exact/interruption.hpp"
 #include "oracle/judge/points/cells.hpp"
+#include "oracle/judge/unlike_rows.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
@@ -74,15 +75,17 @@ std::optional<std::vector<Place>> in_order(const PointsOfDoubles& points) {
 }
 
 // For each point of a the one of b that it is, or −1; what has no other goes to `result`.
-std::vector<Vertex> matched(const PointsOfDoubles& a, const std::vector<Place>& places_of_a,
-                            const PointsOfDoubles& b, const std::vector<Place>& places_of_b,
-                            Difference& result) {
-  std::vector<Vertex> place_in_b(places_of_a.size(), -1);
-  auto of_a = places_of_a.begin();
-  auto of_b = places_of_b.begin();
-  while (of_a != places_of_a.end() || of_b != places_of_b.end()) {
-    const std::partial_ordering which = of_a == places_of_a.end() ? std::partial_ordering::greater
-                                        : of_b == places_of_b.end()
+// None if two points of one mesh have the same coordinates.
+std::optional<std::vector<Vertex>> matched(const PointsOfDoubles& a, const PointsOfDoubles& b,
+                                           Difference& result) {
+  const auto places_of_a = in_order(a), places_of_b = in_order(b);
+  if (!places_of_a || !places_of_b) return std::nullopt;
+  std::vector<Vertex> place_in_b(places_of_a->size(), -1);
+  auto of_a = places_of_a->begin();
+  auto of_b = places_of_b->begin();
+  while (of_a != places_of_a->end() || of_b != places_of_b->end()) {
+    const std::partial_ordering which = of_a == places_of_a->end() ? std::partial_ordering::greater
+                                        : of_b == places_of_b->end()
                                             ? std::partial_ordering::less
                                             : order(a, of_a->point, b, of_b->point);
     if (which < 0) {
@@ -96,6 +99,13 @@ std::vector<Vertex> matched(const PointsOfDoubles& a, const std::vector<Place>& 
   std::sort(result.points_only_in_a.begin(), result.points_only_in_a.end());
   std::sort(result.points_only_in_b.begin(), result.points_only_in_b.end());
   return place_in_b;
+}
+
+// The simplices at some places, ascending.
+CellList cells_at(const Mesh& mesh, const std::vector<std::size_t>& places) {
+  CellList cells;
+  for (const std::size_t i : places) cells.add(mesh.simplices[i]);
+  return cells;
 }
 
 CellList cells_of(const Mesh& mesh) {
@@ -112,6 +122,17 @@ CellList cells_of(const Mesh& mesh) {
   return cells;
 }
 
+CellDifference difference_of(const Mesh& a, const Mesh& b, const std::vector<Vertex>& place_in_b) {
+  if (a.faces.empty() && b.faces.empty()) {
+    // What the two meshes list equally often is in neither's list, whatever else they have.
+    if (const auto unlike = unlike_rows(a.simplices, b.simplices, place_in_b, b.points())) {
+      return difference_of_cells(cells_at(a, unlike->of_a), cells_at(b, unlike->of_b), place_in_b,
+                                 b.points());
+    }
+  }
+  return difference_of_cells(cells_of(a), cells_of(b), place_in_b, b.points());
+}
+
 }  // namespace
 
 std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
@@ -121,13 +142,10 @@ std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
     if (!equal_points(a).empty() || !equal_points(b).empty()) return std::nullopt;
     return difference(exact(a), exact(b));
   }
-  const auto places_of_a = in_order(*points_of_a);
-  const auto places_of_b = in_order(*points_of_b);
-  if (!places_of_a || !places_of_b) return std::nullopt;
   Difference result;
-  const auto place_in_b = matched(*points_of_a, *places_of_a, *points_of_b, *places_of_b, result);
-  CellDifference cells =
-      difference_of_cells(cells_of(a), cells_of(b), place_in_b, places_of_b->size());
+  const auto place_in_b = matched(*points_of_a, *points_of_b, result);
+  if (!place_in_b) return std::nullopt;
+  CellDifference cells = difference_of(a, b, *place_in_b);
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
   result.b_has_too = std::move(cells.b_has_too);

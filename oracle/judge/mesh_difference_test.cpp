@@ -1,6 +1,8 @@
 // Meshes of doubles are compared as exact ones are.
 #include "oracle/judge/mesh_difference.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -54,6 +56,50 @@ TEST_CASE("random meshes: points in any order, weighted or not, of either dimens
     };
     are_compared_alike(mesh(), mesh());
   }
+}
+
+// Without faces, cells that both meshes list equally often are left out before.
+TEST_CASE("random meshes of cells alone: some listed again, some missing, in another order") {
+  std::mt19937 random(12);
+  const auto below = [&random](std::size_t n) { return random() % n; };
+  std::size_t same = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const std::size_t size = 3 + below(2), points = size + below(5);
+    std::vector<Point> all;
+    for (std::size_t i = 0; i < points; ++i) {
+      const int t = static_cast<int>(i);
+      all.push_back({Rational(t) / 4, Rational(t * t), Rational(t % 3)});
+    }
+    std::vector<Simplex> cells(below(8));
+    for (Simplex& cell : cells) {
+      for (std::size_t i = 0; i < size; ++i) cell.push_back(static_cast<Vertex>(below(points)));
+      if (below(30) == 0) cell.front() = below(2) == 0 ? -1 : 40;
+    }
+    std::vector<std::size_t> place(points);
+    std::iota(place.begin(), place.end(), std::size_t{0});
+    std::shuffle(place.begin(), place.end(), random);
+    std::vector<Point> others(points);
+    for (std::size_t i = 0; i < points; ++i) others[place[i]] = all[i];
+    std::vector<Simplex> moved = cells;
+    for (Simplex& cell : moved) {
+      for (Vertex& v : cell) {
+        if (v >= 0 && v < static_cast<Vertex>(points)) {
+          v = static_cast<Vertex>(place[static_cast<std::size_t>(v)]);
+        }
+      }
+      std::shuffle(cell.begin(), cell.end(), random);
+    }
+    std::shuffle(moved.begin(), moved.end(), random);
+    if (!moved.empty() && below(3) == 0) moved.pop_back();
+    if (!moved.empty() && below(3) == 0) moved.push_back(moved[below(moved.size())]);
+    if (below(6) == 0) others.back()[0] += 1;
+    const ExactMesh a{PointSet(all), cells}, b{PointSet(others), moved};
+    are_compared_alike(a, b);
+    are_compared_alike(b, a);
+    same += difference(in_rows(a), in_rows(b))->empty() ? 1u : 0u;
+  }
+  CHECK(same > 200);
+  CHECK(same < 1800);
 }
 
 TEST_CASE("numbers that are no doubles are compared exactly") {

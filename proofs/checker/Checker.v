@@ -24,6 +24,8 @@ Inductive condition :=
   | face_held | segment_in_polygon | rim_listed | one_sided_shown
   (* alone/MeshAlone.v *)
   | simplex_proper | simplex_listed | simplices_parted
+  (* hulls/HullChecker.v and flats/FlatChecker.v *)
+  | summit_inside | cone_shown | point_in_plane | weight_unseen
   (* existence/ImpossibleChecker.v *)
   | vertices_listed | mesh_of_the_domain | fate_shown | reason_shown | clauses_refuted.
 

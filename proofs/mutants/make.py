@@ -19,6 +19,7 @@ import alone
 import domain_refutations
 import domains
 import impossible
+import reduced
 from honest import certificate, text as mesh_text
 
 
@@ -311,7 +312,8 @@ def main():
             ((name, text(c), answer) for name, c, answer in files()), refutations(),
             domain_refutations.refutations_of_domains(), domain_refutations.refutations_by_the_whole_domain(),
             domain_refutations.refutations_where_something_dangles(), domain_refutations.refutations_of_hulls(),
-            domain_refutations.refutations_by_another_mesh(), domain_refutations.refutations_of_dangling_triangles(), impossible.files(), alone.files(), malformed()):
+            domain_refutations.refutations_by_another_mesh(), domain_refutations.refutations_of_dangling_triangles(), impossible.files(), alone.files(),
+            reduced.files(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -97,6 +97,32 @@ let read c claimed =
   ending c;
   read
 
+(* Of a convex hull: also which point is the summit, and which points it is inside of. The summit is nobody's, and the others
+   are the user's. *)
+let read_hull c claimed =
+  let (packed, labels) = body ~some_are_nobodys:true c claimed in
+  let expected, tokens = line c "summit" "POINT VERTICES" in
+  let numbers, rest = take c Reading.number (c.d + 2) expected tokens in
+  no_more c expected rest;
+  let summit = List.hd numbers in
+  List.iteri (fun k label -> if (label = None) <> (k + 1 = summit) then
+                 Text.fail c.source "'-' for the label of the summit, and of no other point" (string_of_int (k + 1))) labels;
+  ending c;
+  (packed, labels, summit, List.tl numbers)
+
+(* Of points of a plane in space: also what is not seen of them. *)
+let read_flat c claimed =
+  let packed, labels = body c claimed in
+  let expected, tokens = line c "flat" "AXIS NORMAL OFFSET" in
+  let axes, rest = take c count 1 expected tokens in
+  let flat_normal, rest = take c Reading.integer 3 expected rest in
+  let offsets, rest = take c Reading.integer 1 expected rest in
+  no_more c expected rest;
+  let expected = "a coordinate" in
+  let unseen = section c "unseen" expected (fun () -> Text.read_integer c.source expected) in
+  ending c;
+  (packed, labels, { unseen_axis = natural (min 3 (List.hd axes)); unseen; flat_normal; flat_offset = List.hd offsets })
+
 (* How many binary digits of the coordinates the quick check leaves out, so that they are words: any number is sound. *)
 let digits_left_out (frame : certificate) =
   let digits most (q : site) = List.fold_left (fun most x -> max most (Big.numbits x)) most q.coordinates in

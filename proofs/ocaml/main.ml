@@ -68,6 +68,8 @@ let condition = function
   | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
   | Simplex_proper -> "simplex-proper" | Simplex_listed -> "simplex-listed"
   | Simplices_parted -> "simplices-parted"
+  | Summit_inside -> "summit-inside" | Cone_shown -> "cone-shown"
+  | Point_in_plane -> "point-in-plane" | Weight_unseen -> "weight-unseen"
   | Vertices_listed -> "vertices-listed" | Mesh_of_the_domain -> "mesh-of-the-domain"
   | Fate_shown -> "fate-shown"
   | Reason_shown -> "reason-shown" | Clauses_refuted -> "clauses-refuted"
@@ -94,12 +96,13 @@ let domain_claims = List.map (fun claim -> (domain_claim_name claim, claim))
 let kinds = [ "enclosed", Enclosed; "hull", Hull ]
 
 let complex = "complex"
+let convex_hull = "convex-hull"
 
 (* CLAIM and D of the first line. *)
 let context source claims claim dimension =
   let claimed = match List.assoc_opt claim claims with
     | Some claimed -> claimed
-    | None -> Text.fail source (String.concat " or " (complex :: List.map fst claims)) (Text.quote claim) in
+    | None -> Text.fail source (String.concat " or " (complex :: convex_hull :: List.map fst claims)) (Text.quote claim) in
   let space, d = match dimension with
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
@@ -144,6 +147,42 @@ let certificate (c : Reading.context) space claimed standing =
       (Printf.sprintf "verified: %s, %s%s" (claim_name frame.claimed)
          (counts c.d (List.length frame.points) packed.simplex_count)
          (Option.fold standing ~none:"" ~some:(fun word -> snd (List.assoc word standings))), 0) in
+  { mesh; compare_domain = None; verdict }
+
+(* The boundary of the hull of the points but the summit: its facets make the simplices, each with the summit. *)
+let hull (c : Reading.context) space cones =
+  let packed, labels, summit, around = Certificate_file.read_hull c cones in
+  let frame = packed.frame in
+  let vertices k =
+    List.filter_map (fun v -> if v = summit then None else Some (Some v)) (entry_of space packed.rows_of (k + 1)).corners in
+  let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d; weighted = false;
+                    labels = Array.of_list labels; ordered = false;
+                    sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
+                    simplices = { count = packed.simplex_count; vertices }; dangling = None } in
+  let verdict () = match judge_hull space packed summit around (Certificate_file.digits_left_out frame) with
+    | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | NotSettled _ -> assert false
+    | Holds ->
+      let one, several = if c.d = 2 then ("edge", "edges") else ("triangle", "triangles") in
+      (Printf.sprintf "verified: %s, %s, %s" convex_hull
+         (counted (List.length frame.points - 1) "point" "points") (counted packed.simplex_count one several), 0) in
+  { mesh; compare_domain = None; verdict }
+
+(* Points of a plane in space, and triangles there: the certificate is about their picture. *)
+let flat (c : Reading.context) name seen =
+  let packed, labels, unseen = Certificate_file.read_flat c seen in
+  let frame = packed.frame in
+  let vertices k = List.map Option.some (entry_of Plane packed.rows_of (k + 1)).corners in
+  let site e z = with_unseen unseen.unseen_axis e.position z in
+  let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = 3; weighted = false;
+                    labels = Array.of_list labels; ordered = false;
+                    sites = Array.map2 site (Array.of_list frame.points) (Array.of_list unseen.unseen);
+                    simplices = { count = packed.simplex_count; vertices }; dangling = None } in
+  let verdict () = match judge_flat packed unseen (Certificate_file.digits_left_out frame) with
+    | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | NotSettled _ -> assert false
+    | Holds -> (Printf.sprintf "verified: %s, %s, in one plane" name
+                  (counts 2 (List.length frame.points) packed.simplex_count), 0) in
   { mesh; compare_domain = None; verdict }
 
 (* A mesh alone: its simplices may be of any dimension. *)
@@ -286,6 +325,15 @@ let content source =
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
     mesh_alone c space
+  | [ "circumspect-certificate"; "1"; claim; dimension; cones ] when claim = convex_hull ->
+    let c, claimed, space = context source claims cones dimension in
+    hull c space claimed
+  | [ "circumspect-certificate"; "1"; "triangulation"; "3"; "flat" ] ->
+    let c, seen, _ = context source claims "triangulation" "2" in
+    flat c "triangulation" seen
+  | [ "circumspect-certificate"; "1"; "delaunay"; "3"; "flat" ] ->
+    let c, seen, _ = context source claims "weighted-delaunay" "2" in
+    flat c "delaunay" seen
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
     certificate c space claimed None

@@ -13,17 +13,20 @@ Nothing is rounded: coordinates are taken as exact numbers, and no tolerance aff
 from __future__ import annotations
 
 import json
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Tuple
 
 from . import _core
 from ._core import InputError, NoTriangulation, Undecided
-from .campaigns import Campaign, Finding, campaign, minimize
 from .domains import Domain, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
-from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of
+from .meshes import (guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of,
+                     without_coordinate)
 from .periodic import periodic_of
 from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
+
+if TYPE_CHECKING:
+    from .campaigns import Campaign, Finding, campaign, minimize
 
 __version__: str = _core.version
 __all__ = [
@@ -33,11 +36,27 @@ __all__ = [
     "minimize", "orient",
 ]
 
+OF_CAMPAIGNS = ("Campaign", "Finding", "campaign", "minimize")
+
+
+def __getattr__(name: str) -> Any:
+    """Who only judges does not wait for what hunts to be imported."""
+    if name not in OF_CAMPAIGNS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from . import campaigns
+
+    globals().update((each, getattr(campaigns, each)) for each in OF_CAMPAIGNS)
+    return globals()[name]
+
+
+def __dir__() -> List[str]:
+    return sorted({*globals(), *OF_CAMPAIGNS})
+
 
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
           by: str = "lemma", oriented: bool = False, demands: Any = (), duplicates: str = "reject", allow_empty: bool = False,
-          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, limit: Optional[float] = None, copy: bool = True,
+          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, drop: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
           name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
@@ -55,7 +74,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
         judged by default.
     weights: (n,), for "weighted-delaunay".
-    domain: a Domain, a dictionary of its parts, or a surface of triangles.
+    domain: a Domain, a dictionary of its parts, a surface of triangles, or polygons with holes: a text of WKT or
+        GeoJSON, a dictionary of GeoJSON, or a geometry of shapely.
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
     demands: names of what else is demanded, as the command's options: "manifold", "connected", "closed",
@@ -71,6 +91,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         one, of the boundary of the mesh) are set aside.
     lattice, offsets: for "periodic-delaunay". (d, d) doubles, the vectors along which the mesh repeats, or d numbers, the
         edges of a box; and (m, d+1, d) integers, which multiples of them move the point of each corner there.
+    drop: "x", "y" or "z": leaves out this coordinate of triangles or edges in space, so that a terrain is judged as it
+        is seen from above ("z").
     limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
     copy: False judges arrays of doubles and of 32 or 64 bit integers in C order in place. They must then not change
         before the call returns, or the verdict means nothing or the process crashes. Read-only arrays are never
@@ -97,6 +119,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     if claim == "convex-hull":
         points, simplices = facets_of(points, simplices)
     mesh = mesh_of(points, simplices, neighbors, weights)
+    if drop is not None:
+        mesh = without_coordinate(mesh, drop)
     about = None
     if domain is not None:
         filled = domain_of(domain)
@@ -192,8 +216,7 @@ def orient(*points: Any) -> int:
     >>> orient((0, 0), (1, 0), (0, 1)), orient((0.1, 0.1), (0.2, 0.2), (0.3, 0.3))
     (1, 0)
     """
-    own = numbers_of(list(points), "points")
-    return _core.predicate(False, own.shape[1], own.values)
+    return sign_of(False, points)
 
 
 def in_ball(*points: Any) -> int:
@@ -204,8 +227,16 @@ def in_ball(*points: Any) -> int:
     >>> in_ball((0, 0), (third, 0), (0, third), (third, third))
     0
     """
-    own = numbers_of(list(points), "points")
-    return _core.predicate(True, own.shape[1], own.values)
+    return sign_of(True, points)
+
+
+def sign_of(in_ball: bool, points: tuple) -> int:
+    """Points of plain numbers are not made an array of first, which would take most of the time."""
+    sign = _core.plain_predicate(in_ball, points)
+    if sign is None:
+        own = numbers_of(list(points), "points")
+        sign = _core.predicate(in_ball, own.shape[1], own.values)
+    return sign
 
 
 def inspect(points: Any, weights: Any = None) -> dict:

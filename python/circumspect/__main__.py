@@ -1,12 +1,22 @@
 """The judge on the command line: python3 -m circumspect check MESH [--claim CLAIM] [--domain FILE].
 
 MESH is any file that meshio reads, or an .npz file with the arrays points and simplices. The command
-`circumspect` reads its own formats, exactly, and does much more.
+`circumspect` reads its own formats, exactly, and does much more: where it is in the package, it gets the
+words.
 """
 import argparse
+import os
+import pathlib
+import signal
 import sys
 
 import circumspect
+from circumspect import _core
+
+# Which meshio reads and the command does not.
+FILES_OF_MESHIO = (".xdmf", ".xmf", ".exo", ".e", ".ex2", ".cgns", ".h5m", ".med", ".avs", ".f3grid", ".hmf", ".tec",
+                   ".wkt", ".ugrid", ".post", ".post.gz", ".dato", ".dato.gz")
+VERIFIED = pathlib.Path(__file__).with_name("bin") / "circumspect-verified"
 
 
 def loaded(path: str):
@@ -31,8 +41,36 @@ def loaded(path: str):
                         "program that wrote the file rounded is judged as it is now")
 
 
+def is_for_command(words) -> bool:
+    """Is the command in the package, and does it read the files that are named?"""
+    return hasattr(_core, "command") and not (words[:1] == ["check"] and any(
+        word.endswith(FILES_OF_MESHIO) for word in words[1:]))
+
+
+def command(words) -> int:
+    """The command itself, in this process, which then handles signals as any program does."""
+    for name in ("SIGINT", "SIGPIPE", "SIGXFSZ"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_DFL)
+    return _core.command(["circumspect", *words])
+
+
+def verified() -> None:
+    """circumspect-verified, which checks certificates, where it came with the package."""
+    if not VERIFIED.exists():
+        sys.exit("circumspect: expected circumspect-verified in the package, found none: a wheel has it, and `make verified` "
+                 "in the sources builds it from its proof")
+    os.execv(VERIFIED, ["circumspect-verified", *sys.argv[1:]])
+
+
 def main(arguments=None) -> int:
     """0: all claims hold; 1: one does not; 2: usage; 3: an input is at fault; 4: not decided, within the limit or before an interrupt."""
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    return command(words) if is_for_command(words) else judged_here(words)
+
+
+def judged_here(words) -> int:
+    """What Python reads, and all where the command is not in the package; answers as `main`."""
     parser = argparse.ArgumentParser(prog="python3 -m circumspect", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--version", action="version", version=f"circumspect {circumspect.__version__}")
@@ -46,7 +84,7 @@ def main(arguments=None) -> int:
     check.add_argument("--allow-empty", action="store_true", help="judge a mesh without points and simplices")
     check.add_argument("--limit", type=float, metavar="SECONDS", help="end without an answer after so long (exit code 4)")
     check.add_argument("--format", choices=("text", "json"), default="text")
-    options = parser.parse_args(arguments)
+    options = parser.parse_args(words)
     codes = set()
     for path in options.mesh:
         try:
@@ -69,9 +107,14 @@ def main(arguments=None) -> int:
     return next(code for code in (3, 1, 4, 0) if code in codes)
 
 
-if __name__ == "__main__":
+def run() -> None:
+    """The program."""
     try:
         sys.exit(main())
     except KeyboardInterrupt:
         print("circumspect: interrupted", file=sys.stderr)
         sys.exit(4)
+
+
+if __name__ == "__main__":
+    run()

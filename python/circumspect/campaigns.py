@@ -4,7 +4,6 @@ from __future__ import annotations
 import copy
 import faulthandler
 import inspect as signatures
-import multiprocessing
 import time as clocks
 import traceback
 from pathlib import Path
@@ -17,6 +16,9 @@ from .verdicts import Verdict
 
 CLAIMS = ("triangulation", "delaunay", "weighted-delaunay")
 CLAIMS_OF_DOMAINS = ("plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay")
+
+# Binary exponents of coordinates, as the command's campaigns draw them: few programs promise more.
+EXPONENTS = (-100, 100)
 
 # Minimizing ends after so many calls, or when its share of the time is over.
 MOST_TRIES = 20_000
@@ -31,7 +33,8 @@ class Finding(NamedTuple):
     simplices: Any  # what the function made of them, or None
     report: str  # for people: the witness, or the traceback
     family: str = ""
-    seed: int = 0  # generate(family, dimension=..., points=..., seed=..., fewer=True) makes the original
+    seed: int = 0  # generate(family, dimension=..., points=..., seed=..., fewer=True) makes the original, before its
+    # exponents were brought into their range
     original: Any = None
     domain: Optional[Domain] = None  # whose points these are; generate_domain(family, points=..., seed=...) makes the
     # original
@@ -144,6 +147,8 @@ class IsolatedSubject(Subject):
     """The same in a forked process, which may crash or hang. It serves many calls and is replaced if it ends."""
 
     def __init__(self, *arguments: Any, time_limit: float):
+        import multiprocessing  # a twentieth of a second
+
         super().__init__(*arguments)
         self.time_limit = time_limit
         self.context = multiprocessing.get_context("fork")
@@ -321,7 +326,8 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
 def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = None, dimension: int = 3,
              claim: Optional[str] = None, families: Sequence[str] = (), points: int = 20, seed: int = 20260101,
              flat: bool = False, refuses: Sequence[type] = (), isolated: bool = False, time_limit: float = 10.0,
-             save: Any = None, domains: bool = False, within: Any = None, duplicates: str = "reject") -> Campaign:
+             save: Any = None, domains: bool = False, within: Any = None, duplicates: str = "reject",
+             exponents: Optional[Tuple[int, int]] = EXPONENTS) -> Campaign:
     """Hunts for inputs on which a function is wrong, for `time` seconds or for a number of `cases`.
 
     function(points): from (n, d) doubles to (m, d+1) integers, or to a mesh object such as
@@ -337,6 +343,8 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
         points need duplicates="merge".
     duplicates: "merge" counts equal points as one, as in `check`; otherwise equal points that the function adds are a
         finding.
+    exponents: coordinates other than 0 lie between these powers of 2; points beyond are scaled or compressed. None: as
+        the family draws them, up to 1e300. Domains are as they are drawn.
     flat: also points that span only a flat, where rows of k+1 indices are the answer.
     isolated: calls it in a forked process, so that a crash, or a call longer than `time_limit`, is a finding.
     save: a folder for the findings, one .npy and one .txt each; of domains a .poly too.
@@ -362,7 +370,7 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
             else:
                 family, drawn_seed, *drawn = _core.drawn_case(list(families), dimension, subject.takes_weights, points,
                                                               seed, count)
-                case = Case(*drawn)
+                case = Case(*within_exponents(*drawn, exponents))
             count += 1
             # A hull has to span its space.
             if not len(case.points) or not is_wanted(case.points, case.domain.kind != "hull" if domains else flat):
@@ -379,6 +387,19 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
     if save is not None:
         save_findings(Path(save), findings)
     return Campaign(count, findings, clocks.monotonic() - start)
+
+
+def within_exponents(points: Any, weights: Any, exponents: Optional[Tuple[int, int]]) -> tuple:
+    """Points and weights with their exponents in a range. Distinct points stay distinct."""
+    import numpy as np
+
+    if exponents is None or not len(points):
+        return points, weights
+    least, largest = exponents
+    if not -1074 <= least < largest <= 1023:
+        raise ValueError(f"expected two exponents of doubles, the lower first, found {exponents!r}")
+    repeats = len(np.unique(points, axis=0)) < len(points)
+    return _core.brought_within(points, weights, least, largest, repeats)
 
 
 def small_finding(subject: Subject, rule: str, family: str, seed: int, case: Case, *, flat: bool,

@@ -6,6 +6,7 @@ import numbers
 from typing import Any, Mapping, Optional, Sequence
 
 from .meshes import Mesh, Numbers, indices_of, numbers_of, own_copy, parts_of
+from .rings import is_of_rings, parts_of_rings
 
 
 # As circumspect_domain_kind counts them.
@@ -15,14 +16,16 @@ KINDS = (None, "enclosed", "hull", "even-odd", "winding")
 class Domain:
     """A piecewise linear complex: the domain that a mesh must fill.
 
-    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, only in space: each a list of corners, or
-    of several such lines (outline, outlines of holes, segments, vertices); polygon_holes: for the index of a polygon,
-    a list of points, one in each of its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
+    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons: each a list of corners, or of several such
+    lines, in space outline, outlines of holes, segments, vertices, in the plane rings, of which an odd number encloses
+    what the polygon covers; polygon_holes, only in space: for the index of a polygon, a list of points, one in each of
+    its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
     segments or polygons enclose), "even-odd" (of that, what is entered by an odd number of them), "winding" (what
     they wind around, as they are listed), "hull" (the convex hull), or None, which is "enclosed" if they enclose
-    anything, and "hull" if there are none; regions: a point in each region that is filled (default: all enclosed
+    anything, and "hull" if there are none (in the plane only what polygons cover, if there are any); regions: a point in each region that is filled (default: all enclosed
     regions); merge_coplanar: coplanar polygons that share an edge count as one, like a face that was cut into
-    triangles.
+    triangles; resolve: segments may cross, touch and repeat, and points may be equal: where segments meet is a vertex,
+    numbered after all others. `from_rings` takes polygons as coordinates.
 
     >>> square = Domain([[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
     >>> square
@@ -31,7 +34,7 @@ class Domain:
 
     def __init__(self, points: Any, segments: Any = None, polygons: Optional[Sequence] = None, holes: Any = None,
                  kind: Optional[str] = None, polygon_holes: Optional[Mapping] = None, regions: Any = None,
-                 merge_coplanar: bool = False):
+                 merge_coplanar: bool = False, resolve: bool = False):
         import numpy as np
 
         self.own_points = numbers_of(points, "points")
@@ -51,6 +54,26 @@ class Domain:
         self.kind = kind
         self._regions = self.seeds_of(regions, "regions")
         self.merge_coplanar = bool(merge_coplanar)
+        self.resolve = bool(resolve)
+
+    @classmethod
+    def from_rings(cls, shape: Any, *, coordinates: str = "double", **options: Any) -> "Domain":
+        """The domain that polygons with holes cover, given by coordinates.
+
+        shape: a ring [[x, y], ...], a polygon [outline, hole, ...] or a list of polygons; a dictionary or text of
+            GeoJSON; a text of WKT; or an object of shapely, geopandas or the like. A ring may repeat its first point
+            at its end. What an odd number of a polygon's rings enclose is covered. Lines become segments. Equal
+            points are one vertex; vertices are numbered as they occur.
+        coordinates: "double": "0.1" in a text means the nearest double, as for most programs; "decimal": exactly 1/10.
+            Numbers that are not texts are exact.
+        options: as Domain has them, such as `holes`, `regions` and `resolve`; `kind` says that something else is filled.
+
+        Raises ValueError and TypeError.
+
+        >>> Domain.from_rings("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 1))")
+        Domain(7 points, 0 segments, 1 polygon)
+        """
+        return cls(**parts_of_rings(shape, coordinates), **options)
 
     def seeds_of(self, seeds: Any, what: str) -> Numbers:
         """A point in each hole."""
@@ -112,16 +135,18 @@ class Domain:
         seeds = numbers_of(np.concatenate(seeds), "holes of polygons").values if owners else np.zeros(0)
         return (self.dimension, own_copy(self.own_points.values), own_copy(self.segments.reshape(-1)), *lists,
                 own_copy(self._holes.values), KINDS.index(self.kind), np.array(owners, dtype=np.int64), seeds,
-                own_copy(self._regions.values), self.merge_coplanar)
+                own_copy(self._regions.values), self.merge_coplanar, self.resolve)
 
     def lists(self) -> tuple:
         """What `_core` takes to make a domain small and to write it."""
         if any(isinstance(own.values, list) for own in (self.own_points, self._holes, *self._polygon_holes.values())):
             raise ValueError("expected a domain whose points are doubles, found other numbers")
-        if self.kind in ("even-odd", "winding") or self._regions.shape[0] or self.merge_coplanar:
+        has_rings = self.dimension == 2 and bool(self.polygons)
+        if self.kind in ("even-odd", "winding") or self._regions.shape[0] or self.merge_coplanar or self.resolve or has_rings:
             raise ValueError("expected a domain that fills all that it encloses, or its hull, with its polygons as they are; "
                              f"found the kind {self.kind!r}, {self._regions.shape[0]} regions, "
-                             f"merge_coplanar={self.merge_coplanar}")
+                             f"merge_coplanar={self.merge_coplanar}, resolve={self.resolve}"
+                             f"{', polygons of the plane' if has_rings else ''}")
         seeds = [(polygon, seed.tolist()) for polygon, all_of_it in self.polygon_holes.items() for seed in all_of_it]
         has_walls = len(self.segments if self.dimension == 2 else self.polygons) > 0
         is_hull = self.kind == "hull" or self.kind is None and not has_walls
@@ -166,7 +191,7 @@ def with_cells_of(domain: Domain, segments: Sequence, polygons: Sequence) -> Dom
     holes = {new: domain.polygon_holes[old] for new, old in enumerate(polygons) if old in domain.polygon_holes}
     return Domain(domain.points[stays], place[rows[0]], [[[int(place[v]) for v in line] for line in polygon]
                                                          for polygon in lines[0]], domain.holes, domain.kind, holes,
-                  domain.regions, domain.merge_coplanar)
+                  domain.regions, domain.merge_coplanar, domain.resolve)
 
 
 def lines_of(polygon: Any) -> list:
@@ -178,13 +203,16 @@ def lines_of(polygon: Any) -> list:
 
 
 def domain_of(domain: Any) -> Domain:
-    """A domain, the dictionary of one (vertices, segments, holes, as `triangle` has it), or a closed surface."""
+    """A domain, the dictionary of one (vertices, segments, holes, as `triangle` has it), what `Domain.from_rings` takes,
+    or a closed surface."""
     if isinstance(domain, Domain):
         return domain
+    if is_of_rings(domain):
+        return Domain.from_rings(domain)
     if isinstance(domain, dict):
         known = {"vertices": "points", "points": "points", "segments": "segments", "polygons": "polygons",
                  "holes": "holes", "kind": "kind", "polygon_holes": "polygon_holes", "regions": "regions",
-                 "merge_coplanar": "merge_coplanar"}
+                 "merge_coplanar": "merge_coplanar", "resolve": "resolve"}
         unknown = set(domain) - set(known)
         if unknown or not {"vertices", "points"} & set(domain):
             raise ValueError(f"expected a domain with the keys {', '.join(sorted(known))}, found {sorted(domain)}")

@@ -262,6 +262,23 @@ def with_cells(points: Any, cells: Optional[dict]):
     return points, of_size[most], None, listed.get(3), listed.get(2)
 
 
+def without_coordinate(mesh: Mesh, axis: str) -> Mesh:
+    """A surface or lines of space, as they are seen along an axis."""
+    import numpy as np
+
+    if axis not in ("x", "y", "z"):
+        raise ValueError(f"expected drop='x', drop='y' or drop='z', found {axis!r}")
+    if mesh.dimension != 3:
+        raise ValueError(f"expected points with 3 coordinates for drop, found {mesh.dimension}")
+    if mesh.simplices.shape[1] > 3:
+        raise ValueError(f"expected triangles or edges for drop, found simplices of {mesh.simplices.shape[1]} vertices")
+    kept = ["xyz".index(other) for other in "xyz" if other != axis]
+    values = mesh.points.values
+    rows = np.asarray(values, dtype=object if isinstance(values, list) else None).reshape(-1, 3)[:, kept].ravel()
+    own = Numbers(rows.tolist() if isinstance(values, list) else np.ascontiguousarray(rows), (mesh.points.shape[0], 2))
+    return mesh._replace(points=own, triangles=None)
+
+
 def guarded(mesh: Mesh) -> Mesh:
     """The mesh in memory that no other thread changes while it is judged without the interpreter's lock."""
     def kept(own: Numbers) -> Numbers:

@@ -9,13 +9,13 @@
 """
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+from typing import Any, Optional, Sequence, Tuple
 
 import hypothesis.strategies as st
 import numpy as np
 
 from . import _core, families as all_families, generate_domain
-from .campaigns import is_wanted
+from .campaigns import EXPONENTS, is_wanted, within_exponents
 from .domains import with_cells_of
 
 
@@ -32,11 +32,12 @@ def names_in(dimension: int, families: Optional[Sequence[str]]) -> list:
 
 
 @st.composite
-def drawn_points(draw: Any, names: list, dimension: int, min_points: int, max_points: int, flat: bool):
+def drawn_points(draw: Any, names: list, dimension: int, min_points: int, max_points: int, flat: bool,
+                 exponents: Optional[Tuple[int, int]]):
     """A set of a family; shrinks by leaving points out, then by coordinates that are small integers."""
     family = draw(st.sampled_from(names))
     seed = draw(st.integers(0, 2**32 - 1))
-    points = _core.generate(family, dimension, max_points, seed, False)[0]
+    points = within_exponents(*_core.generate(family, dimension, max_points, seed, False), exponents)[0]
     # 0 leaves a point out; few are, at first.
     kept = draw(st.lists(st.integers(0, 15), min_size=len(points), max_size=len(points)))
     points = points[np.array(kept, dtype=int) > 0]
@@ -54,16 +55,17 @@ def ranks(points: Any):
 
 
 def points(families: Optional[Sequence[str]] = None, dimension: int = 3, min_points: int = 1, max_points: int = 12,
-           flat: bool = False) -> st.SearchStrategy:
-    """(n, d) doubles: distinct points, degenerate, nearly degenerate, extreme, or none of these.
+           flat: bool = False, exponents: Optional[Tuple[int, int]] = EXPONENTS) -> st.SearchStrategy:
+    """(n, d) doubles: distinct points, degenerate, nearly degenerate, or neither.
 
-    `flat`: also points that span less than their space.
+    `flat`: also points that span less than their space. `exponents`: coordinates other than 0 lie between these powers
+    of 2, by default those of a campaign; None: as the family draws them, up to 1e300.
     """
     if not 1 <= min_points <= max_points:
         raise ValueError(f"expected 1 <= min_points <= max_points, found {min_points} and {max_points}")
     least = min_points if flat else max(min_points, dimension + 1)
     names = names_in(dimension, families)
-    return drawn_points(names, dimension, least, max(max_points, least), flat).filter(lambda drawn: drawn is not None)
+    return drawn_points(names, dimension, least, max(max_points, least), flat, exponents).filter(lambda drawn: drawn is not None)
 
 
 @st.composite

@@ -2,11 +2,14 @@
 from __future__ import annotations
 
 import fractions
-import html
 import json
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
+from .drawing import picture_of
+
 Fraction = fractions.Fraction
+MOST_PICTURES = 3
+LARGEST_SHOWN = 60000  # characters of HTML, of which notebooks keep a copy
 
 
 class Ball(NamedTuple):
@@ -106,14 +109,18 @@ class Verdict:
         return self._page()
 
     def _repr_html_(self) -> str:
+        import html
+
         colour = "#1a7f37" if self.holds else "#cf222e"
-        text = f'<pre style="border-left: 4px solid {colour}; padding-left: 1em">{html.escape(str(self))}</pre>'
-        if self.holds or self._page is None:
+        lines, last = str(self)[:LARGEST_SHOWN // 8], self.text.splitlines()[-1]
+        if len(lines) < len(str(self)):
+            lines = lines.rpartition("\n")[0] + f"\n… (print shows all)\n{last}"
+        text = f'<pre style="border-left: 4px solid {colour}; padding-left: 1em">{html.escape(lines)}</pre>'
+        if self.holds:
             return text
-        # The page has scripts, which turn its pictures; in a sandbox they see nothing of the
-        # notebook.
-        return (f'{text}\n<iframe title="the witnesses as pictures" sandbox="allow-scripts" '
-                f'style="width: 100%; height: 48em; border: 0" srcdoc="{html.escape(self.to_html())}"></iframe>')
+        # Notebooks keep what is shown, so it has to be small.
+        pictures = "".join(map(picture_of, self.to_dict()["violations"][:MOST_PICTURES]))
+        return f"{text}\n{pictures}" if len(text) + len(pictures) <= LARGEST_SHOWN else text
 
 
 def violation_of(entry: Dict[str, Any]) -> Violation:

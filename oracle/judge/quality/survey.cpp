@@ -132,7 +132,9 @@ class Surveyor {
       : mesh_(mesh), threads_(threads), dimension_(dimension_of_simplices(mesh)) {
     survey_.dimension = dimension_;
     for (const Question& question : kQuestions) {
-      if (exists_for(question.measure, dimension_)) questions_.push_back(question);
+      if (!exists_for(question.measure, dimension_)) continue;
+      questions_.push_back(question);
+      if (place_of(question.measure) == measures_.size()) measures_.push_back(question.measure);
     }
     for (const Bins& bins : bins_of(dimension_)) {
       survey_.histograms.push_back(empty_histogram(bins));
@@ -162,63 +164,82 @@ class Surveyor {
     for (auto& list : candidates_.binless) list = all;
   }
 
-  // Twice over the mesh: how far the furthest is at least, and which simplices may be as far.
+  // Once over the mesh. A simplex is a candidate if it may be as far as any before it in its chunk
+  // is at least; in the end, as far as any of the mesh is.
   template <class Enclosing>
   void look(const Enclosing& enclosing) {
-    const std::size_t count = mesh_.simplices.size(), chunks = fast::chunks_of(count, kChunk);
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    std::vector<std::vector<double>> least_of(chunks,
-                                              std::vector<double>(questions_.size(), -kInfinity));
-    fast::in_chunks(count, kChunk, threads_, [&](std::size_t chunk, std::size_t a, std::size_t b) {
-      each_lengths(enclosing, a, b, [&](std::size_t, const auto& lengths) {
-        for (std::size_t q = 0; q < questions_.size(); ++q) {
-          const Enclosed value = enclosed_extreme(questions_[q].measure, lengths);
-          least_of[chunk][q] = std::max(least_of[chunk][q], span_of(questions_[q], value).low);
-        }
-      });
-    });
-    std::vector<double> least(questions_.size(), -kInfinity);
-    for (const auto& some : least_of) {
-      for (std::size_t q = 0; q < least.size(); ++q) least[q] = std::max(least[q], some[q]);
-    }
-    collect(enclosing, least);
-  }
-
-  template <class Enclosing>
-  void collect(const Enclosing& enclosing, const std::vector<double>& least) {
-    const std::size_t count = mesh_.simplices.size(), chunks = fast::chunks_of(count, kChunk);
-    std::vector<Candidates> of_chunk(
-        chunks, {std::vector<std::vector<std::size_t>>(questions_.size()),
-                 std::vector<std::vector<std::size_t>>(survey_.histograms.size())});
+    const std::size_t count = mesh_.simplices.size();
     std::vector<std::vector<Enclosed>> bounds;
-    std::vector<std::vector<Histogram>> counted(chunks);
     for (const Histogram& histogram : survey_.histograms) {
       auto& own = bounds.emplace_back();
       for (const Rational& bound : histogram.bounds) {
         own.push_back(enclosed_bound(histogram.measure, bound));
       }
     }
+    std::vector<Seen> seen(fast::chunks_of(count, kChunk));
     fast::in_chunks(count, kChunk, threads_, [&](std::size_t chunk, std::size_t a, std::size_t b) {
-      counted[chunk] = survey_.histograms;
+      seen[chunk] = Seen(questions_.size(), survey_.histograms);
+      std::vector<Enclosed> values(measures_.size());
       each_lengths(enclosing, a, b, [&](std::size_t s, const auto& lengths) {
-        for (std::size_t q = 0; q < questions_.size(); ++q) {
-          const Enclosed value = enclosed_extreme(questions_[q].measure, lengths);
-          if (span_of(questions_[q], value).high >= least[q]) {
-            of_chunk[chunk].extremes[q].push_back(s);
-          }
+        for (std::size_t m = 0; m < values.size(); ++m) {
+          values[m] = enclosed_extreme(measures_[m], lengths);
         }
-        for (std::size_t h = 0; h < bounds.size(); ++h) {
-          const Measure measure = survey_.histograms[h].measure;
-          const auto bin = bin_of(enclosed_extreme(measure, lengths), measure, bounds[h]);
-          if (bin) {
-            ++counted[chunk][h].counts[*bin];
-          } else {
-            of_chunk[chunk].binless[h].push_back(s);
-          }
-        }
+        see(s, values, bounds, seen[chunk]);
       });
     });
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) join(of_chunk[chunk], counted[chunk]);
+    for (std::size_t q = 0; q < questions_.size(); ++q) {
+      double least = -std::numeric_limits<double>::infinity();
+      for (const Seen& some : seen) least = std::max(least, some.least[q]);
+      for (const Seen& some : seen) {
+        for (const Suspect& suspect : some.furthest[q]) {
+          if (suspect.high >= least) candidates_.extremes[q].push_back(suspect.simplex);
+        }
+      }
+    }
+    for (const Seen& some : seen) join(some);
+  }
+
+  // What is seen of the simplices of a chunk.
+  struct Suspect {
+    std::size_t simplex;
+    double high;
+  };
+  struct Seen {
+    Seen() = default;
+    Seen(std::size_t questions, const std::vector<Histogram>& empty)
+        : least(questions, -std::numeric_limits<double>::infinity()),
+          furthest(questions),
+          counted(empty),
+          binless(empty.size()) {}
+
+    std::vector<double> least;  // how far the furthest is at least, for each question
+    std::vector<std::vector<Suspect>> furthest;
+    std::vector<Histogram> counted;
+    std::vector<std::vector<std::size_t>> binless;
+  };
+
+  void see(std::size_t s, const std::vector<Enclosed>& values,
+           const std::vector<std::vector<Enclosed>>& bounds, Seen& seen) const {
+    for (std::size_t q = 0; q < questions_.size(); ++q) {
+      const Span span = span_of(questions_[q], values[place_of(questions_[q].measure)]);
+      seen.least[q] = std::max(seen.least[q], span.low);
+      if (span.high >= seen.least[q]) seen.furthest[q].push_back({s, span.high});
+    }
+    for (std::size_t h = 0; h < bounds.size(); ++h) {
+      const Measure measure = survey_.histograms[h].measure;
+      const auto bin = bin_of(values[place_of(measure)], measure, bounds[h]);
+      if (bin) {
+        ++seen.counted[h].counts[*bin];
+      } else {
+        seen.binless[h].push_back(s);
+      }
+    }
+  }
+
+  // Of a measure among measures_.
+  std::size_t place_of(Measure measure) const {
+    return static_cast<std::size_t>(std::find(measures_.begin(), measures_.end(), measure) -
+                                    measures_.begin());
   }
 
   template <class Enclosing, class Visit>
@@ -230,16 +251,12 @@ class Surveyor {
     }
   }
 
-  void join(const Candidates& found, const std::vector<Histogram>& counted) {
-    for (std::size_t q = 0; q < found.extremes.size(); ++q) {
-      auto& all = candidates_.extremes[q];
-      all.insert(all.end(), found.extremes[q].begin(), found.extremes[q].end());
-    }
-    for (std::size_t h = 0; h < found.binless.size(); ++h) {
+  void join(const Seen& seen) {
+    for (std::size_t h = 0; h < seen.binless.size(); ++h) {
       auto& all = candidates_.binless[h];
-      all.insert(all.end(), found.binless[h].begin(), found.binless[h].end());
-      for (std::size_t bin = 0; bin < counted[h].counts.size(); ++bin) {
-        survey_.histograms[h].counts[bin] += counted[h].counts[bin];
+      all.insert(all.end(), seen.binless[h].begin(), seen.binless[h].end());
+      for (std::size_t bin = 0; bin < seen.counted[h].counts.size(); ++bin) {
+        survey_.histograms[h].counts[bin] += seen.counted[h].counts[bin];
       }
     }
   }
@@ -279,6 +296,8 @@ class Surveyor {
   unsigned threads_;
   int dimension_;
   std::vector<Question> questions_ = {};
+  std::vector<Measure> measures_ =
+      {};  // of the questions, each once; those of histograms are there
   Candidates candidates_ = {};
   Survey survey_ = {};
 };

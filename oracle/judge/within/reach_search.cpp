@@ -83,10 +83,7 @@ class ReachSearch {
         if (fault->is_open) open_.push_back(all_[i]);
         const bool doubled = all_[i].dimension == 0 && fault->violation.witness.vertices.size() > 1;
         if (doubled) {
-          answer_ = {.kind = Kind::kAmbiguous,
-                     .squared_reach = squared,
-                     .cells = {all_[i]},
-                     .vertices = fault->violation.witness.vertices};
+          give_up();
           return;
         }
         const auto next = images_.next_reach(all_[i], squared);
@@ -130,9 +127,27 @@ class ReachSearch {
     return !least;
   }
 
+  // The least reach at which two vertices of the mesh are within reach of one of the domain: it and
+  // all larger ones are ambiguous, whatever has no image.
+  std::optional<ReachAnswer> first_doubled() const {
+    std::optional<ReachAnswer> first;
+    for (const Cell cell : all_) {
+      if (cell.dimension > 0 || reaches_.near(cell).size() < 2) continue;
+      const Reaches::ToVertex &nearest = reaches_.near(cell)[0], &second = reaches_.near(cell)[1];
+      if (first && first->squared_reach <= second.squared()) continue;
+      first = {.kind = Kind::kAmbiguous,
+               .squared_reach = second.squared(),
+               .cells = {cell},
+               .vertices = sorted(Simplex{nearest.vertex, second.vertex})};
+    }
+    return first;
+  }
+
   // No reach up to the limit of the search will do.
   void give_up() {
-    if (apart_) {
+    if (auto doubled = first_doubled()) {
+      answer_ = std::move(doubled);
+    } else if (apart_) {
       // Beyond it all reaches are ambiguous.
       answer_ = {.kind = Kind::kAmbiguous,
                  .squared_reach = apart_->squared / 9,

@@ -1,11 +1,11 @@
-#include "command/input/uncovered.hpp"
+#include "oracle/domain/uncovered.hpp"
 
 #include <set>
 
 #include "kernel/complex/simplex.hpp"
 #include "oracle/domain/filling.hpp"
 
-namespace circumspect::cli {
+namespace circumspect {
 namespace {
 
 class Covering {
@@ -90,13 +90,8 @@ class Covering {
   std::vector<std::vector<std::size_t>> walls_of_;  // beside each region
 };
 
-}  // namespace
-
-std::vector<Point> points_without_face(const std::vector<PolygonLines>& faces,
-                                       const Regions& regions, const PointSet& points) {
-  const Covering covering(regions, points);
-  std::set<std::size_t> covered = {Regions::kUnbounded};
-  for (const PolygonLines& face : faces) covered.merge(covering.covered_by(face));
+// A point in each of the regions that are not covered; the unbounded one needs none.
+std::vector<Point> points_of_others(const std::set<std::size_t>& covered, const Regions& regions) {
   std::vector<Point> bare;
   if (covered.size() == regions.size()) return bare;
   const std::vector<Point> inner = points_of_regions(regions);
@@ -106,4 +101,65 @@ std::vector<Point> points_without_face(const std::vector<PolygonLines>& faces,
   return bare;
 }
 
-}  // namespace circumspect::cli
+// Changes whether something is in a set.
+template <class Value>
+void toggle(std::set<Value>& values, const Value& value) {
+  if (!values.insert(value).second) values.erase(value);
+}
+
+// For each wall, the faces whose rings pass it an odd number of times.
+std::vector<std::set<std::size_t>> faces_at_walls(const std::vector<PolygonLines>& faces,
+                                                  const Regions& regions) {
+  std::vector<std::set<std::size_t>> found(regions.walls().size());
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    for (const auto& ring : faces[face].lines) {
+      for (std::size_t i = 0; ring.size() > 1 && i < ring.size(); ++i) {
+        const Simplex edge = sorted({ring[i], ring[(i + 1) % ring.size()]});
+        toggle(found[regions.walls().place_of(edge)], face);
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Point> points_without_face(const std::vector<PolygonLines>& faces,
+                                       const Regions& regions, const PointSet& points) {
+  const Covering covering(regions, points);
+  std::set<std::size_t> covered = {Regions::kUnbounded};
+  for (const PolygonLines& face : faces) covered.merge(covering.covered_by(face));
+  return points_of_others(covered, regions);
+}
+
+// Going through a wall leads out of the faces that have it on a ring and into the others that do.
+std::vector<Point> points_without_rings(const std::vector<PolygonLines>& faces,
+                                        const Regions& regions) {
+  const auto faces_at = faces_at_walls(faces, regions);
+  std::vector<std::vector<std::size_t>> walls_of(regions.size());
+  for (std::size_t wall = 0; wall < regions.walls().size(); ++wall) {
+    for (const std::size_t region : regions.beside(wall)) walls_of[region].push_back(wall);
+  }
+  std::vector<std::set<std::size_t>> faces_of(regions.size());
+  std::vector<bool> is_reached(regions.size(), false);
+  std::vector<std::size_t> open = {Regions::kUnbounded};
+  is_reached[Regions::kUnbounded] = true;
+  std::set<std::size_t> covered = {Regions::kUnbounded};
+  while (!open.empty()) {
+    const std::size_t region = open.back();
+    open.pop_back();
+    if (!faces_of[region].empty()) covered.insert(region);
+    for (const std::size_t wall : walls_of[region]) {
+      for (const std::size_t next : regions.beside(wall)) {
+        if (is_reached[next]) continue;
+        is_reached[next] = true;
+        faces_of[next] = faces_of[region];
+        for (const std::size_t face : faces_at[wall]) toggle(faces_of[next], face);
+        open.push_back(next);
+      }
+    }
+  }
+  return points_of_others(covered, regions);
+}
+
+}  // namespace circumspect

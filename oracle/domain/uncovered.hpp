@@ -6,7 +6,7 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 
-namespace circumspect::cli {
+namespace circumspect {
 
 // A point in each region that is enclosed and that no face covers: seeds of holes. A face covers
 // what its lines enclose, less its holes. Requires: the edges of the faces are walls; faces do not
@@ -14,4 +14,9 @@ namespace circumspect::cli {
 std::vector<Point> points_without_face(const std::vector<PolygonLines>& faces,
                                        const Regions& regions, const PointSet& points);
 
-}  // namespace circumspect::cli
+// The same of faces whose lines are rings: each covers what an odd number of its rings enclose,
+// whatever the others cover. Rings may cross where they have a common vertex.
+std::vector<Point> points_without_rings(const std::vector<PolygonLines>& faces,
+                                        const Regions& regions);
+
+}  // namespace circumspect

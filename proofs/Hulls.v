@@ -1,0 +1,37 @@
+(** * Convex hulls: what the claim [convex-hull] says, and what its certificates hold
+
+    docs/theory/questions.md has the same definition in words.  [CERTIFICATE.md] describes the
+    files. *)
+From Coq Require Import Rbase List ZArith.
+From Circumspect Require Import Definitions Domains.
+Import ListNotations.
+Open Scope R_scope.
+
+Section Hull.
+Context {d : nat}.
+
+(** The simplices of [H] list d points of [S] each, and none is listed twice; they are the facets of
+    a complex, and what they cover is the boundary of conv S.  A point of S may be no vertex. *)
+Record boundary_of_hull (S : list (point d)) (H : list (simplex d)) : Prop := {
+  facets_listed : forall f, In f H -> NoDup f /\ length f = d /\ incl f S;
+  facets_form_a_complex : simplicial_complex (faces_of H);
+  facets_once : ForallOrdPairs (fun f g => ~ same f g) H;
+  facets_cover : forall q, boundary (LinearCell d (fun _ => True) (conv S)) q <->
+    exists f, In f H /\ conv f q
+}.
+End Hull.
+
+(** ** Certificates, as they stand in a file
+
+    The certificate of a weighted Delaunay triangulation, in which every simplex is a facet of the
+    hull and the summit, point number [k].  The summit is no point of S. *)
+Section Cones.
+Variables (d : nat) (c : certificate) (k : positive).
+
+(** The points but the summit. *)
+Definition points_below : list (point d) := map (fun e => place_of (unit_of c) (position e))
+  (firstn (pred (Pos.to_nat k)) (points c) ++ skipn (Pos.to_nat k) (points c)).
+(** The simplices without the summit. *)
+Definition facets_below : list (simplex d) :=
+  map (fun e => map (spot d c) (filter (fun v => negb (Pos.eqb v k)) (corners e))) (simplices c).
+End Cones.

@@ -1,0 +1,122 @@
+// A mesh that one process judges part after part has the verdict of the whole, word for word.
+// The coordinates are small integers: points are equal but for the sign of a zero, sample points
+// lie in planes of facets, weighted points are submerged or about to emerge, and there are more
+// parts than simplices. ranks_property.cpp tries the catalogue of mutations, and ranks of MPI.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "properties/arguments/generated.hpp"
+#include "properties/arguments/run.hpp"
+#include "properties/dealt_meshes.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+// The (weighted) Delaunay triangulation of some points of a grid. Each is a multiple of three, so
+// that barycentres are points of a grid as well, and weights are multiples of squared distances, so
+// that lifted points lie in the planes of others. Half of the sets are triangulated in a mirror:
+// of several triangulations it is another one that is canonical there. `taken`: points that are
+// others.
+std::optional<ArrayMesh> drawn_mesh(std::size_t d, bool weighted, std::set<Point>& taken,
+                                    properties::Dice& dice) {
+  std::vector<Point> points;
+  std::vector<Rational> weights;
+  for (std::size_t more = d + 1 + dice.below(5); more > 0; --more) {
+    Point point;
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      point.push_back(3 * static_cast<long>(dice.below(4)) - 3);
+    }
+    if (!taken.insert(point).second) continue;
+    points.push_back(point);
+    weights.push_back(9 * static_cast<long>(dice.below(4)));
+  }
+  if (points.empty()) return std::nullopt;
+  const PointSet set = weighted ? PointSet(points, weights) : PointSet(points);
+  if (set.dimension() != static_cast<int>(d)) return std::nullopt;
+  ArrayMesh mesh = array_mesh(set, delaunay::bowyer_watson(set).simplices());
+  const bool is_mirrored = dice.below(2) == 0;
+  for (std::size_t i = 0; is_mirrored && i < mesh.coordinates.size(); i += d) {
+    mesh.coordinates[i] = 0 - mesh.coordinates[i];
+  }
+  return mesh;
+}
+
+void append(ArrayMesh& mesh, const ArrayMesh& other) {
+  const auto before = static_cast<std::int64_t>(mesh.points());
+  const auto add = [](std::vector<double>& all, const std::vector<double>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  add(mesh.coordinates, other.coordinates);
+  add(mesh.weights, other.weights);
+  for (const std::int64_t v : other.simplices) mesh.simplices.push_back(before + v);
+}
+
+// A point that no simplex names: it is equal to another, but for the signs of zeros.
+void repeat_point(ArrayMesh& mesh, properties::Dice& dice) {
+  const std::size_t v = dice.below(mesh.points());
+  for (std::size_t axis = 0; axis < mesh.dimension; ++axis) {
+    const double x = mesh.coordinates[v * mesh.dimension + axis];
+    mesh.coordinates.push_back(x == 0 ? -x : x);
+  }
+  if (!mesh.weights.empty()) mesh.weights.push_back(static_cast<double>(dice.below(20)));
+}
+
+void alter(ArrayMesh& mesh, bool weighted, std::set<Point>& taken, properties::Dice& dice) {
+  switch (dice.below(7)) {
+    case 0:
+      return repeat_point(mesh, dice);
+    case 1:  // what is covered twice
+      if (const auto other = drawn_mesh(mesh.dimension, weighted, taken, dice))
+        append(mesh, *other);
+      return;
+    case 2:
+      if (mesh.size() > 1) mesh.simplices.resize(mesh.simplices.size() - mesh.width());
+      return;
+    case 3:  // two simplices on one side of a facet, if it is a vertex opposite one
+      mesh.simplices[dice.below(mesh.simplices.size())] =
+          static_cast<std::int64_t>(dice.below(mesh.points()));
+      return;
+    case 4:
+    case 5:  // of a point that no simplex names, if there is one
+      for (std::size_t v = 0; weighted && v < mesh.points(); ++v) {
+        const auto named = static_cast<std::int64_t>(v);
+        if (std::count(mesh.simplices.begin(), mesh.simplices.end(), named) > 0) continue;
+        mesh.weights[v] += static_cast<double>(9 * dice.below(3));
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+TEST_CASE("a mesh judged in parts has the verdict of the whole") {
+  std::map<std::string, std::size_t> seen;
+  CHECK(holds("on grids", 1600, [&] {
+    properties::Dice dice(static_cast<std::uint64_t>(*generators::below(1'000'000'000)));
+    const std::size_t d = 2 + dice.below(2);
+    const bool weighted = dice.below(2) == 0;
+    std::set<Point> taken;
+    std::optional<ArrayMesh> mesh = drawn_mesh(d, weighted, taken, dice);
+    if (!mesh) return;
+    alter(*mesh, weighted, taken, dice);
+    const Claim claim = dice.below(4) == 0 ? Claim::kTriangulation
+                        : weighted         ? Claim::kWeightedDelaunay
+                                           : Claim::kDelaunay;
+    const check::Options options{.max_violations = 1 + dice.below(20)};
+    const std::string whole = said_by_one(claim, *mesh, options);
+    RC_LOG() << whole;
+    RC_ASSERT(said_in_turns(claim, *mesh, static_cast<Way>(dice.below(5)), dice, options, 8) ==
+              whole);
+    ++seen[whole.substr(0, whole.find_first_of(" .:"))];
+  }));
+  CHECK(occurs(seen.size(), 3));
+}
+
+}  // namespace
+}  // namespace circumspect::properties
