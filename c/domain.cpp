@@ -14,6 +14,7 @@
 #include "c/guard.hpp"
 #include "c/input.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"

@@ -9,6 +9,7 @@
 
 #include "c/guard.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 

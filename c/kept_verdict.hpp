@@ -15,7 +15,7 @@ namespace circumspect::c {
 
 circumspect_options asked_of(const circumspect_options* options);
 check::Options options_of(const circumspect_options& asked);
-// The distance that `within` names. Refuses what is no number of at least 0.
+// The distance that `within` names. Refuses what is not a number of at least 0.
 Rational distance_of(const char* within);
 
 // Everything that may be asked of the verdict later. The caller owns it.

@@ -187,7 +187,7 @@ int circumspect::cli::command_line(int argc, char** argv) {
     return static_cast<int>(circumspect::cli::when_written(run(argc, argv)));
   } catch (const std::bad_alloc&) {
     end_without_memory();
-  } catch (const std::system_error& error) {  // the system would not: that is no mistake of ours
+  } catch (const std::system_error& error) {  // the system would not: that is not a mistake of ours
     circumspect::cli::say("circumspect: " + circumspect::on_one_line(error.what()) + "\n");
   } catch (const std::exception& error) {
     circumspect::cli::say("circumspect: internal error, please report it: " +

@@ -8,6 +8,7 @@
 
 #include "corpus/expected_table.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/domain_file.hpp"

@@ -72,9 +72,8 @@ void add_random_segments(Dice& dice, PiecewiseLinearInput& input, std::size_t tr
 }
 
 // On which side of a facet is a vertex?
-int side(const PointSet& points, Simplex facet, Vertex v) {
-  facet.push_back(v);
-  return orientation(points.configuration(), std::vector<std::size_t>{0, 1, 2}, facet);
+int side(const PointSet& points, const Simplex& facet, Vertex v) {
+  return side_of_facet(points.configuration(), kSpace, facet, v);
 }
 
 // Tetrahedra glued facet to facet: the vertices opposite to each facet, one or two.

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/in_doubles.hpp"
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
 #include "properties/arguments/point_sets.hpp"
@@ -89,11 +90,11 @@ TEST_CASE("of mutated meshes, both judges say the same") {
 Neighbors neighbors_of(const Simplices& simplices) {
   Neighbors neighbors;
   for (const Simplex& simplex : simplices) neighbors.rows.emplace_back(simplex.size(), -1);
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
-    if (group.size() != 2) return;
+  for (const auto group : ByFacet(facet_uses(simplices))) {
+    if (group.size() != 2) continue;
     neighbors.rows[group[0].simplex][group[0].opposite] = static_cast<Vertex>(group[1].simplex);
     neighbors.rows[group[1].simplex][group[1].opposite] = static_cast<Vertex>(group[0].simplex);
-  });
+  }
   return neighbors;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/star_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"

@@ -70,7 +70,7 @@ TEST_CASE("C1 the CDTs are the triangulations of constrained Delaunay tetrahedra
   CHECK(occurs(several));
 }
 
-// Is every edge that is no segment locally Delaunay in the polygon's plane?
+// Is every edge that is not a segment locally Delaunay in the polygon's plane?
 bool is_planar_cdt(const PointSet& points, const Polygon& polygon,
                    const std::vector<Simplex>& triangles) {
   const StarIndex index(triangles);

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/dice.hpp"
+#include "kernel/complex/by_facet.hpp"
 #include "oracle/judge/convex_hull/judge_convex_hull.hpp"
 #include "oracle/judge/definition/complex.hpp"
 #include "oracle/judge/judge.hpp"
@@ -59,9 +60,9 @@ void erase_any(Dice& dice, std::vector<Simplex>& facets) {
 void flip_one(Dice& dice, ListedHull& hull) {
   const std::vector<FacetUse> uses = facet_uses(hull.facets);
   std::vector<std::pair<FacetUse, FacetUse>> pairs;
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(uses)) {
     if (group.size() == 2 && group[0].facet.size() == 2) pairs.emplace_back(group[0], group[1]);
-  });
+  }
   if (pairs.empty()) return;
   const auto& [a, b] = pairs[dice.below(pairs.size())];
   const Vertex p = hull.facets[a.simplex][a.opposite], q = hull.facets[b.simplex][b.opposite];

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/complex/star_index.hpp"

@@ -2,6 +2,7 @@
 // triangulation. Book: Section 5.6 and Exercise 4 of Chapter 5.
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/laws.hpp"

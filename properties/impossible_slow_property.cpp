@@ -52,7 +52,7 @@ bool has_no_cdt_at_all(const PiecewiseLinearComplex& complex) {
 }
 
 // The two triangles 0 1 2 and 3 4 5 and six triangles between them, as Schönhardt's polyhedron has:
-// an octahedron, whose three pairs of vertices that are no edges are its diagonals.
+// an octahedron, whose three pairs of vertices that are not edges are its diagonals.
 const Simplex kDiagonals[] = {{0, 5}, {1, 3}, {2, 4}};
 
 // Of the four corners of any tetrahedron two are the ends of a diagonal. So a domain that contains

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"

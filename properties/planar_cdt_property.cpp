@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/complex/triangulation.hpp"
@@ -124,7 +125,7 @@ TEST_CASE("planar CDT: fills the domain, the hull or what the segments enclose")
 }
 
 // C1 in the plane (Lemma 4.10): (i) every triangle is constrained Delaunay, from the definition,
-// and (iii) every edge that is no segment is locally Delaunay, under the perturbation.
+// and (iii) every edge that is not a segment is locally Delaunay, under the perturbation.
 TEST_CASE("C1: in the plane, every edge that is no segment is locally Delaunay") {
   CHECK(holds("C1, statement (iii)", 200, [] {
     const PiecewiseLinearComplex complex = assemble(*planar_inputs());
@@ -133,7 +134,7 @@ TEST_CASE("C1: in the plane, every edge that is no segment is locally Delaunay")
     for (const auto& [edge, apexes] : apexes_by_facet(Triangulation(2, triangles))) {
       const auto& segments = complex.segments;
       if (std::find(segments.begin(), segments.end(), edge) != segments.end()) continue;
-      // An edge of one triangle only bounds the domain; of the hull kind it may be no segment.
+      // An edge of one triangle only bounds the domain; of the hull kind it may not be a segment.
       const bool is_sound =
           apexes.size() == 2
               ? perturbed_in_ball(points, kPlane, Simplex{edge[0], edge[1], apexes[0]}, apexes[1]) <

@@ -215,7 +215,8 @@ TEST_CASE("PLC validity in space agrees with pairwise intersections (Definition 
 }
 
 // A square at z = 1 and an upright one through it, from vertex to vertex, with more cells about
-// them: tiles have edges that are no segments, and only the segment 4 5 may make such a pair legal.
+// them: tiles have edges that are not segments, and only the segment 4 5 may make such a pair
+// legal.
 TEST_CASE("PLC validity about two squares agrees with pairwise intersections") {
   int valid = 0, crossing = 0;
   CHECK(holds("two squares, and polygons in them, on them and through them", 1000, [&] {

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
@@ -31,20 +32,20 @@ struct Arrangement {
       : points(coordinates),
         cells(delaunay::bowyer_watson(points).simplices()),
         uses(facet_uses(cells)) {
-    for_each_facet(uses, [&](std::span<const FacetUse> of_facet) {
+    for (const auto of_facet : ByFacet(uses)) {
       if (*rc::gen::inRange(0, 10) < share) walls.push_back(of_facet.front().facet);
-    });
+    }
   }
 
   // The cells, and last of all the outside, joined where no wall parts them.
   DisjointSets joined() const {
     DisjointSets sets(cells.size() + 1);
     const std::set<Simplex> walled(walls.begin(), walls.end());
-    for_each_facet(uses, [&](std::span<const FacetUse> of_facet) {
-      if (walled.contains(of_facet.front().facet)) return;
+    for (const auto of_facet : ByFacet(uses)) {
+      if (walled.contains(of_facet.front().facet)) continue;
       sets.unite(of_facet.front().simplex,
                  of_facet.size() == 2 ? of_facet.back().simplex : cells.size());
-    });
+    }
     return sets;
   }
 };
@@ -66,8 +67,8 @@ void assert_same_regions(const Arrangement& arrangement) {
   // As many as there are: so none are joined that are apart.
   RC_ASSERT(region_of.size() == regions.size());
   const std::set<Simplex> walled(walls.begin(), walls.end());
-  for_each_facet(uses, [&](std::span<const FacetUse> of_facet) {
-    if (!walled.contains(of_facet.front().facet)) return;
+  for (const auto of_facet : ByFacet(uses)) {
+    if (!walled.contains(of_facet.front().facet)) continue;
     for (const FacetUse& use : of_facet) {
       const Simplex cell = positively_oriented(points, cells[use.simplex]);
       const auto place = static_cast<std::size_t>(
@@ -78,7 +79,7 @@ void assert_same_regions(const Arrangement& arrangement) {
         RC_ASSERT(regions.in_front_of(facet.reverse()) == Regions::kUnbounded);
       }
     }
-  });
+  }
 }
 
 TEST_CASE("regions are what can be reached without crossing a wall (Section 4.5.1)") {

@@ -8,6 +8,7 @@
 
 #include "construct/edge_protection.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/complexes.hpp"
@@ -68,7 +69,7 @@ rc::Gen<ComplexCase> fans(std::size_t dimension) {
 // Coordinates of a few dozen bits. The number of points that are added grows with the logarithm of
 // the ratio between the largest and the least distance: 600 or so halvings where doubles of all
 // magnitudes meet, which is as right as it is slow. No hole seeds in hulls, which may lie in a
-// facet of the hull that is no polygon.
+// facet of the hull that is not a polygon.
 bool is_moderate(const ComplexCase& one) {
   if (one.input.kind == DomainKind::kHull && !one.input.hole_seeds.empty()) return false;
   return std::all_of(one.input.points.begin(), one.input.points.end(), [](const Point& point) {

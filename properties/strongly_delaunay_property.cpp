@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/point.hpp"
@@ -296,7 +298,7 @@ TEST_CASE("D1 a generic point set has exactly one Delaunay triangulation (Theore
       RC_ASSERT(std::count(delaunay_ones.begin(), delaunay_ones.end(), canonical) == 1);
       if (!delaunay::cospherical_points(points)) RC_ASSERT(delaunay_ones.size() == 1u);
       // "If S is not generic … S has multiple Delaunay triangulations": that is, if its Delaunay
-      // subdivision has a cell that is no simplex.
+      // subdivision has a cell that is not a simplex.
       const bool is_simplicial =
           !delaunay::cospherical_points_of_an_empty_ball(points, canonical).has_value();
       RC_ASSERT(is_simplicial == (delaunay_ones.size() == 1u));
@@ -304,7 +306,7 @@ TEST_CASE("D1 a generic point set has exactly one Delaunay triangulation (Theore
   }
 }
 
-// Is each point that is no vertex on or above the witness plane of a simplex that contains it?
+// Is each point that is not a vertex on or above the witness plane of a simplex that contains it?
 bool no_point_is_below(const PointSet& points, const Triangulation& triangulation) {
   for (Vertex q = 0; points.names(q); ++q) {
     for (const Simplex& simplex : triangulation.simplices()) {

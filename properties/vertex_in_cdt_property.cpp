@@ -12,6 +12,7 @@
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/flip_insert_polygon.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/dice.hpp"
+#include "kernel/complex/by_facet.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
@@ -46,11 +48,11 @@ VoronoiDiagram exact_diagram(const PointSet& sites) {
     diagram.vertices.push_back(circumball(sites, simplex).centre);
   }
   for (const Simplex& edge : edges) diagram.neighbors.push_back({edge[0], edge[1]});
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(facet_uses(simplices))) {
     for (const Vertex v : group[0].facet) {
       if (group.size() == 1) diagram.cells[static_cast<std::size_t>(v)].is_unbounded = true;
     }
-  });
+  }
   return diagram;
 }
 

@@ -21,6 +21,7 @@
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "python/arrays.hpp"
 #include "python/functions.hpp"
 

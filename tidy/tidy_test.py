@@ -144,7 +144,6 @@ class Style(unittest.TestCase):
         for text in [function(80, head="struct B {", row="  void f();\n"), function(80, head='extern "C" {'),
                      function(80, row="  // a {\n", head="namespace a {")]:
             self.assertEqual(rules("kernel/exact/a.cpp", text), [], text)
-        self.assertEqual(rules("oracle/judge/points/a.cpp", function(61)), [])
 
     def test_a_table_is_read_row_by_row(self):
         rows = '      {"a;", "b", {1, 2}, [] { return 1; }},\n' * 80

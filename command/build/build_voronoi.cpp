@@ -12,6 +12,8 @@
 #include "command/options/option_rows.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
+#include "kernel/complex/circumball.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"

@@ -39,8 +39,8 @@ struct CdtDecision {
 
 // Gift-wrapping decides about the canonical one, if the insertion of polygons has not found it
 // before (`insert`: in domains of more than reference::kFewVertices vertices that is tried first);
-// then a search that is exponential at worst, and so has limits, about any. `name` is that of the
-// domain, for whoever waits. Requires: the complex is in space, and valid.
+// then a search that is exponential at worst, and so has limits, about any. `name`: how
+// messages about progress call the domain. Requires: the complex is in space, and valid.
 CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits& limits,
                        bool insert, const std::string& name, Output& output);
 

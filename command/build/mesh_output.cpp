@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/mesh_files.hpp"
@@ -142,15 +143,15 @@ formats::NeighborFile neighbor_file(const Mesh& mesh) {
   file.first_index = first_index_of_simplices(mesh);
   file.neighbors_per_simplex = vertices_of_each(mesh);
   for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
-    if (group.size() != 2) return;
+  for (const auto group : ByFacet(facet_uses(simplices))) {
+    if (group.size() != 2) continue;
     const auto link = [&](const FacetUse& from, const FacetUse& to) {
       file.neighbors[from.simplex][from.opposite] =
           static_cast<Vertex>(to.simplex) + file.first_index;
     };
     link(group[0], group[1]);
     link(group[1], group[0]);
-  });
+  }
   return file;
 }
 

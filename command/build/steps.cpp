@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "oracle/picture/picture.hpp"
 #include "oracle/report/text.hpp"

@@ -40,8 +40,8 @@ tl::expected<std::vector<campaign::Source>, std::string> campaign_sources(
 tl::expected<campaign::Input, std::string> campaign_input(const campaign::Subject& subject,
                                                           const std::string& path);
 
-// All inputs in the files of a folder and the folders in it, by their paths; what is no input, or
-// one of another dimension, is left out. Errors: no such folder, or no input in it.
+// All inputs in the files of a folder and the folders in it, by their paths; what is not an input,
+// or one of another dimension, is left out. Errors: no such folder, or no input in it.
 tl::expected<std::vector<campaign::Replayed>, std::string> campaign_corpus(
     const campaign::Subject& subject, const std::string& folder);
 

@@ -127,7 +127,8 @@ std::size_t judged_cases(const Result& result) {
 
 namespace {
 
-// Why cases were skipped and refused, the most frequent reasons first; and what else is no finding.
+// Why cases were skipped and refused, the most frequent reasons first; and what else is not a
+// finding.
 std::string reasons_text(const Result& result) {
   constexpr std::size_t kShown = 3;
   std::string text;

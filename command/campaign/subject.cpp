@@ -25,7 +25,7 @@ bool names_file(const std::string& argument) {
 }
 
 // A path to a file of the user's is found from the folder in which the program runs only if it is
-// whole. A word without a slash is no path: the i of `qdelaunay Qt i` stays so where there is a
+// whole. A word without a slash is not a path: the i of `qdelaunay Qt i` stays so where there is a
 // file i. The words of a worker are those of `node adapter.mjs`.
 std::string with_whole_path(const std::string& argument, bool is_worker) {
   const bool may_be_path = is_worker || argument.find('/') != std::string::npos;

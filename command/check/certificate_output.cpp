@@ -8,6 +8,7 @@
 
 #include "command/check/filled_by_cones.hpp"
 #include "construct/delaunay.hpp"
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/certificate/document.hpp"
@@ -61,9 +62,9 @@ std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
                                                   const std::vector<Simplex>& tetrahedra) {
   PiecewiseLinearInput facets;
   facets.kind = DomainKind::kHull;
-  for_each_facet(facet_uses(tetrahedra), [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(facet_uses(tetrahedra))) {
     facets.polygons.push_back({{group.front().facet}, {}});
-  });
+  }
   constexpr int kImages = 12;
   for (int number = 0; number < kImages; ++number) {
     facets.points = image(points, number);

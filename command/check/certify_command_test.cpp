@@ -412,7 +412,7 @@ TEST_CASE("check --certificate: what it does not go with") {
     CHECK(is_error_line(result.err));
     CHECK(!meshes.has_cert());
   }
-  // The simplices have opposite orientations, which is no part of the claim.
+  // The simplices have opposite orientations, which is not part of the claim.
   const Run oriented = run({"check", meshes.good, "--oriented", "--certificate", meshes.cert});
   CHECK(oriented.exit_code == 2);
   CHECK(has(oriented.out, "fails: "));

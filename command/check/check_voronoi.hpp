@@ -1,4 +1,4 @@
-// circumspect check --claim voronoi: cells of a Voronoi diagram, which are no mesh.
+// circumspect check --claim voronoi: cells of a Voronoi diagram, which are not a mesh.
 #pragma once
 
 #include <optional>

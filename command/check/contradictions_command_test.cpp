@@ -22,7 +22,7 @@ struct Corner {
     all.insert(all.end(), more.begin(), more.end());
     return run(all);
   }
-  // Each alone is no reason to refuse the command line.
+  // Each alone is not a reason to refuse the command line.
   void contradict(const Words& one, const Words& other) const {
     const Run both = judged(one, other);
     CAPTURE(one.front());

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "construct/delaunay.hpp"
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "reference/constrained/planar_cdt.hpp"
@@ -35,11 +36,11 @@ Plane plane_of(const PointSet& points, const Simplex& triangle) {
 // The facets that one simplex alone has, each with its other vertex.
 std::map<Simplex, Vertex> exposed(const std::vector<Simplex>& tetrahedra) {
   std::map<Simplex, Vertex> found;
-  for_each_facet(facet_uses(tetrahedra), [&](std::span<const FacetUse> group) {
-    if (group.size() != 1) return;
+  for (const auto group : ByFacet(facet_uses(tetrahedra))) {
+    if (group.size() != 1) continue;
     const FacetUse& use = group.front();
     found.emplace(use.facet, tetrahedra[use.simplex][use.opposite]);
-  });
+  }
   return found;
 }
 

@@ -117,7 +117,7 @@ TEST_CASE("check --within: a convex hull, and a face of it that nobody listed") 
 TEST_CASE("check --within: the markers of a .face file say which facets a polygon is") {
   // A square wall in a bipyramid. Two of its corners are moved, so that a flat tetrahedron is
   // between two ways to tile it. Above, where that belongs if nobody says otherwise, all facets
-  // that are no wall see into balls.
+  // that are not walls see into balls.
   ScratchFolder folder;
   const std::string apexes = "4 0 0 1\n5 0 0 -5\n";
   const std::string points = "6 3 0 0\n0 -3 0 0\n1 0 3 0\n2 3 0 0\n3 0 -3 0\n" + apexes;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::cli {

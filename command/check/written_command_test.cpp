@@ -149,7 +149,7 @@ TEST_CASE("options about domains: what they expect") {
   usage({"--merge-coplanar", "6deg", "--within", "1"}, "at most 5deg");
   usage({"--merge-coplanar=0deg", "--within", "1"}, "more than 0deg");
   usage({"--merge-coplanar=some", "--within", "1"}, "found some");
-  // A number without a unit is no mesh of that name.
+  // A number without a unit is not a mesh of that name.
   const auto angle = [&](const std::string& text, const std::string& said) {
     usage({"--within", "1e-9", "--merge-coplanar", text}, said);
   };

@@ -78,7 +78,7 @@ formats::ElementWriter writer_of_difference(const std::string& path) {
   return formats::writer_of(formats::extension(path));
 }
 
-// Why the difference of these meshes is no file for viewers; empty if it is one.
+// Why the difference of these meshes is not a file for viewers; empty if it is one.
 std::string dimension_fault(const std::string& path, const Mesh& a, const Mesh& b) {
   const std::size_t dimension = a.dimension();
   if (dimension == b.dimension() && dimension >= 2 && dimension <= 3) return "";

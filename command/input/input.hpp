@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

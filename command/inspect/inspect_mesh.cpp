@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/quality/survey.hpp"

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/exact/point.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"

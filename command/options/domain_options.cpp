@@ -7,6 +7,7 @@
 #include "command/options/one_of.hpp"
 #include "command/options/usage_faults.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -114,7 +115,7 @@ void add_merge_option(CLI::App& command, DomainOptions& options, bool takes_angl
               "need not have the segments between them, unless the file lists these as segments" +
                   with_angle)
           ->expected(0)
-          ->type_name("ANGLE")  // it is no flag
+          ->type_name("ANGLE")  // it is not a flag
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   if (takes_angle) merge->option_text("[ANGLE]");
 }

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::cli {
 
-// Nothing if one of them is no number.
+// Nothing if one of them is not a number.
 inline std::optional<std::vector<Rational>> number_list(const std::string& text) {
   std::vector<Rational> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {

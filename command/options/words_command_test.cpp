@@ -168,7 +168,7 @@ TEST_CASE("a file of a kind that is not read: the kinds that are") {
   CHECK(run({"inspect", folder.write("points.txt", "2\n3\n0 0\n1 0\n0 1\n")}).exit_code == 0);
 }
 
-// What is no value of an option is answered with those that are, not in the words of CLI11.
+// What is not a value of an option is answered with those that are, not in the words of CLI11.
 
 TEST_CASE("counts and words that are none: what was expected, and what was found") {
   const std::vector<std::string> steiner = {"build", "conforming-delaunay", "x.poly", "-o",

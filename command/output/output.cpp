@@ -248,7 +248,7 @@ ExitCode when_written(ExitCode code) {
 void keep_standard_files_apart() {
   for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(file, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The wrong way round, so that who reads or writes it still hears that it cannot be.
+    // Opened the wrong way round, so that reading from it or writing to it still fails.
     const int opened = open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     if (opened >= 0 && opened != file) close(opened);
   }

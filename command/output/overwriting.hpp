@@ -21,7 +21,7 @@ std::vector<std::string> files_of_mesh(const std::string& path);
 std::vector<std::string> files_of_domain(const std::string& path);
 
 // Why these files cannot be written while those are read; empty if they can. Two paths are one file
-// if the system says so: through links of either kind, too. Pipes and devices are no files. "-"
+// if the system says so: through links of either kind, too. Pipes and devices are not files. "-"
 // among `read` is standard input. Nor may two be written to one place.
 std::string overwriting_fault(const std::vector<Written>& written,
                               const std::vector<std::string>& read);

@@ -17,6 +17,7 @@
 #include "fuzz/campaign/by_hand_script.hpp"
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "fuzz/process/folders.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"

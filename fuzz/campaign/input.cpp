@@ -5,6 +5,7 @@
 
 #include "fuzz/campaign/domain_text.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/off.hpp"

@@ -12,6 +12,7 @@
 
 #include "fuzz/campaign/finding_folder.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::campaign {
 namespace {

@@ -20,7 +20,7 @@ struct Answer {
 Answer answer(const Triangulator& subject, const PointArray& points);
 
 // In a process of its own, which is killed after the time limit. Throws std::system_error if there
-// can be no process. The child is a fork: threads of this process do not exist there.
+// cannot be a process. The child is a fork: threads of this process do not exist there.
 Answer isolated_answer(const Triangulator& subject, const PointArray& points,
                        std::chrono::milliseconds time_limit);
 

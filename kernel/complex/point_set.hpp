@@ -1,4 +1,4 @@
-// Finite point sets, and the circumballs of their simplices.
+// Finite point sets, and the affine hulls of some of their points.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,6 @@
 
 namespace circumspect {
 
-// A finite set of points, weighted or not, with exact rational coordinates.
-// Book: Section 4.1 (point sets in R^d), Section 5.2 (weights).
-
 // Two indices that name one and the same point.
 struct Duplicate {
   Vertex kept;  // the first of them
@@ -26,7 +23,9 @@ struct Duplicate {
 // Every point that repeats an earlier one, in order of `again`.
 std::vector<Duplicate> duplicates(const std::vector<Point>& points);
 
-// A *set*: no two points are equal. All points have one dimension.
+// A finite *set* of points, weighted or not, with exact rational coordinates: no two points are
+// equal. All points have one dimension. Book: Section 4.1 (point sets in R^d), Section 5.2
+// (weights).
 class PointSet {
  public:
   // Requires: no duplicates; one dimension; weights empty or one a point. (Violations are
@@ -81,32 +80,5 @@ Flat flat_through(const PointSet& points, const std::vector<std::size_t>& axes,
 
 // The vertices 0, 1, …, n−1.
 std::vector<Vertex> all_vertices(const PointSet& points);
-
-// Circumballs with exact centre and squared radius. Book: Definition 1.17 and Section 4.2; for
-// weighted points the orthoball whose lifted companion is the witness plane.
-
-struct Ball {
-  Point centre;
-  Rational squared_radius;  // of an orthoball possibly negative
-};
-
-// The circumball of a simplex whose centre lies in the simplex's affine hull: its smallest one.
-// With weights, the orthoball: |p − centre|² − weight(p) = squared_radius at every vertex p.
-// Requires: vertices affinely independent.
-Ball circumball(const PointSet& points, const Simplex& simplex);
-
-// |q − centre|² − weight(q) − squared_radius: negative iff q is strictly inside (weighted: iff q⁺
-// is strictly below the witness plane), zero on the sphere.
-Rational power(const PointSet& points, const Ball& ball, Vertex q);
-
-// Do two simplices meet in a common face or not at all? Book: Definition 2.1 by way of Section 1.5
-// (simplicial complexes).
-
-// A point that lies in both simplices but not in the face spanned by their common vertices;
-// nothing iff they intersect properly. Found by a linear program: among all ways to write one point
-// as a convex combination of either simplex, one that leaves the common face as far as it can.
-// Requires: each simplex affinely independent.
-std::optional<Point> improper_intersection(const PointSet& points, const Simplex& a,
-                                           const Simplex& b);
 
 }  // namespace circumspect

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/plain_algebra.hpp"
+#include "kernel/complex/circumball.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
@@ -208,11 +210,8 @@ bool is_circuit_between(const PointSet& points, const Simplex& set, const Simple
     if (sign((*t)[i]) == 0) return false;  // dependent, but not minimal
     (sign((*t)[i]) > 0 ? positive : negative).push_back(others[i]);
   }
-  const auto within = [](const Simplex& part, const Simplex& whole) {
-    return std::all_of(part.begin(), part.end(), [&](Vertex v) { return contains(whole, v); });
-  };
-  return (within(positive, a) && within(negative, b)) ||
-         (within(positive, b) && within(negative, a));
+  return (has_face(a, positive) && has_face(b, negative)) ||
+         (has_face(b, positive) && has_face(a, negative));
 }
 
 bool meet_improperly(const PointSet& points, const Simplex& a, const Simplex& b) {

@@ -17,9 +17,7 @@ using Axes = std::vector<std::size_t>;
 
 // On which side of the hyperplane through `basis` is q? Zero on it.
 int side(const PointSet& points, const Axes& axes, const Simplex& basis, Vertex q) {
-  Simplex simplex = basis;
-  simplex.push_back(q);
-  return orientation(points.configuration(), axes, simplex);
+  return side_of_facet(points.configuration(), axes, basis, q);
 }
 
 // All members on the hyperplane through `basis`.

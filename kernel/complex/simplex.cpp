@@ -21,6 +21,11 @@ Simplex facet_opposite(const Simplex& simplex, std::size_t place) {
   return facet;
 }
 
+Simplex with_apex(Simplex facet, Vertex apex) {
+  facet.push_back(apex);
+  return facet;
+}
+
 Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex) {
   simplex[place] = vertex;
   return simplex;
@@ -28,6 +33,10 @@ Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex) 
 
 bool contains(const Simplex& simplex, Vertex vertex) {
   return std::find(simplex.begin(), simplex.end(), vertex) != simplex.end();
+}
+
+bool has_face(const Simplex& simplex, const Simplex& face) {
+  return std::all_of(face.begin(), face.end(), [&](Vertex v) { return contains(simplex, v); });
 }
 
 bool has_repeated_vertex(const Simplex& simplex) {
@@ -131,16 +140,6 @@ std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices) {
   in_order.reserve(uses.size());
   for (const auto& [least, place] : order) in_order.push_back(std::move(uses[place]));
   return in_order;
-}
-
-void for_each_facet(const std::vector<FacetUse>& uses,
-                    const std::function<void(std::span<const FacetUse>)>& visit) {
-  for (auto first = uses.begin(); first != uses.end();) {
-    const auto last = std::find_if(first, uses.end(),
-                                   [&](const FacetUse& use) { return use.facet != first->facet; });
-    visit({&*first, static_cast<std::size_t>(last - first)});
-    first = last;
-  }
 }
 
 }  // namespace circumspect

@@ -2,16 +2,11 @@
 #pragma once
 
 #include <compare>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "kernel/predicates/configuration.hpp"
 
 namespace circumspect {
-
-// Simplices as tuples of vertices, and all subsets of a given size, for loops "for every k+1
-// points".
 
 // The vertices of a simplex, in the order given. A user's simplex is meant as a set; where
 // orientation matters, the order carries it.
@@ -23,10 +18,15 @@ Simplex sorted(Simplex simplex);
 // The facet opposite vertex number `place`: all other vertices, in their order.
 Simplex facet_opposite(const Simplex& simplex, std::size_t place);
 
+// The simplex that joins a facet to an apex, which becomes its last vertex.
+Simplex with_apex(Simplex facet, Vertex apex);
+
 // The simplex with vertex number `place` replaced.
 Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex);
 
 bool contains(const Simplex& simplex, Vertex vertex);
+// Are all vertices of `face` vertices of the simplex?
+bool has_face(const Simplex& simplex, const Simplex& face);
 bool has_repeated_vertex(const Simplex& simplex);
 
 // Is the permutation that sorts the vertices odd? Requires: no repeated vertex.
@@ -84,9 +84,5 @@ struct FacetUse {
 // All uses, in order of the facets' vertices and then of the simplices, so that the uses of one
 // facet are adjacent. Book: Section 4.2 ("a facet of a triangulation is a (d−1)-simplex").
 std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices);
-
-// Calls `visit` once for each facet, with all its uses.
-void for_each_facet(const std::vector<FacetUse>& uses,
-                    const std::function<void(std::span<const FacetUse>)>& visit);
 
 }  // namespace circumspect

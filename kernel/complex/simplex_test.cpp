@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/star_index.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "properties/arguments/generated.hpp"
@@ -183,22 +184,22 @@ TEST_CASE("facets: two triangles share one of five edges") {
   REQUIRE(uses.size() == 6);
   std::vector<Simplex> shared;
   std::size_t facets = 0;
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(uses)) {
     ++facets;
-    if (group.size() != 2) return;
+    if (group.size() != 2) continue;
     shared.push_back(group[0].facet);
     CHECK(group[0].simplex == 0);
     CHECK(group[0].opposite == 1);  // vertex 0 of {2, 0, 1}
     CHECK(group[1].simplex == 1);
     CHECK(group[1].opposite == 2);  // vertex 3 of {1, 2, 3}
-  });
+  }
   CHECK(facets == 5);
   CHECK(shared == std::vector<Simplex>{{1, 2}});
 }
 
 TEST_CASE("facets: none of no simplices; one empty facet of vertices; points of edges") {
   CHECK(facet_uses({}).empty());
-  for_each_facet({}, [](std::span<const FacetUse>) { FAIL("there is no facet"); });
+  for (const auto uses : ByFacet(facet_uses({}))) CHECK(uses.empty());  // there is none
   const std::vector<FacetUse> of_vertices = facet_uses({{7}, {4}});
   REQUIRE(of_vertices.size() == 2);
   CHECK(of_vertices[0].facet.empty());
@@ -220,7 +221,7 @@ TEST_CASE("facets: every facet once, with exactly the simplices that contain it,
       }
     }
     auto next = expected.begin();
-    for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+    for (const auto group : ByFacet(facet_uses(simplices))) {
       RC_ASSERT(next != expected.end());
       RC_ASSERT(group.size() == next->second.size());
       for (std::size_t i = 0; i < group.size(); ++i) {
@@ -228,7 +229,7 @@ TEST_CASE("facets: every facet once, with exactly the simplices that contain it,
         RC_ASSERT(std::pair(group[i].simplex, group[i].opposite) == next->second[i]);
       }
       ++next;
-    });
+    }
     RC_ASSERT(next == expected.end());
   }));
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kernel/exact/float.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect {
 namespace {
@@ -115,7 +116,7 @@ std::string degrees_to_decimal(const Rational& signed_square) {
     if (abs(signed_square) != angle.squared_cosine) continue;
     return to_decimal(sign(signed_square) < 0 ? 180 - angle.degrees : angle.degrees);
   }
-  // The angle is no rational number of degrees, so it is not a midpoint of two doubles.
+  // The angle is not a rational number of degrees, so it is not a midpoint of two doubles.
   return where_ends_agree([&](mpfr_prec_t precision, mpfr_rnd_t toward) {
     Float end(precision);
     angle(end, signed_square, toward);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect {
 

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/number_text.hpp"
+
 namespace circumspect {
 namespace {
 

@@ -10,8 +10,6 @@
 
 namespace circumspect {
 
-// Determinants and systems of linear equations, exactly.
-
 // Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
 // speed alone: `build delaunay` takes 50 % longer with elimination, which would suffice, and 130 %
 // longer with cofactors.

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "kernel/exact/number_text.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect {

@@ -31,10 +31,8 @@ std::size_t longest_axis(const Point& a);
 // Requires: points is not empty, all of one dimension.
 Point barycentre(const std::vector<Point>& points);
 
-// The affine hull of a set of points, and coordinates in it.
-// Book: Section 4.1 ("if the affine hull of S is k-dimensional …").
-
-// The affine hull of some points. `basis` holds the indices of k+1 affinely independent points, the
+// The affine hull of some points. Book: Section 4.1 ("if the affine hull of S is k-dimensional …").
+// `basis` holds the indices of k+1 affinely independent points, the
 // first such in the order given. `axes` holds k coordinate axes, ascending, such that dropping all
 // other coordinates is injective on the hull: a coordinate system of it.
 struct AffineHull {

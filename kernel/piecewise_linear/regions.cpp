@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
@@ -101,8 +102,7 @@ class Joining {
   }
 
   void around_ridges() {
-    for_each_facet(facet_uses(walls_.simplices()),
-                   [&](std::span<const FacetUse> uses) { around_ridge(uses); });
+    for (const auto uses : ByFacet(facet_uses(walls_.simplices()))) around_ridge(uses);
   }
 
   void around_corners() {

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <span>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
@@ -182,14 +182,14 @@ std::vector<bool> beside_outside(const std::vector<Simplex>& filled,
                                  const std::set<Simplex>& edges) {
   const std::vector<FacetUse> uses = facet_uses(filled);
   DisjointSets components(filled.size());
-  for_each_facet(uses, [&](std::span<const FacetUse> at_edge) {
+  for (const auto at_edge : ByFacet(uses)) {
     const bool is_within = at_edge.size() == 2 && !edges.contains(at_edge.front().facet);
     if (is_within) components.unite(at_edge[0].simplex, at_edge[1].simplex);
-  });
+  }
   std::vector<bool> is_beside(filled.size(), false);
-  for_each_facet(uses, [&](std::span<const FacetUse> at_edge) {
+  for (const auto at_edge : ByFacet(uses)) {
     if (at_edge.size() == 1) is_beside[components.find(at_edge.front().simplex)] = true;
-  });
+  }
   std::vector<bool> answers;
   for (std::size_t i = 0; i < filled.size(); ++i) {
     answers.push_back(is_beside[components.find(i)]);

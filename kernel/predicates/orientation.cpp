@@ -49,6 +49,17 @@ int orientation(const Configuration& points, std::span<const Vertex> simplex) {
   return orientation(points, points.axes(), simplex);
 }
 
+int side_of_facet(const Configuration& points, std::span<const std::size_t> axes,
+                  std::span<const Vertex> facet, Vertex q) {
+  std::vector<Vertex> simplex(facet.begin(), facet.end());
+  simplex.push_back(q);
+  return orientation(points, axes, simplex);
+}
+
+int side_of_facet(const Configuration& points, std::span<const Vertex> facet, Vertex q) {
+  return side_of_facet(points, points.axes(), facet, q);
+}
+
 std::vector<std::size_t> axes_of(const Configuration& points, std::span<const Vertex> simplex) {
   std::vector<Point> vertices;
   for (const Vertex v : simplex) {

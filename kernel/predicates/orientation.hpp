@@ -30,6 +30,13 @@ int orientation(const Configuration& points, std::span<const std::size_t> axes,
 // Requires: simplex.size() == points.dimension() + 1.
 int orientation(const Configuration& points, std::span<const Vertex> simplex);
 
+// On which side of the hyperplane of a facet is q? The orientation of the simplex that joins them,
+// with q as its last vertex; 0 in the hyperplane. Requires: facet.size() == axes.size().
+int side_of_facet(const Configuration& points, std::span<const std::size_t> axes,
+                  std::span<const Vertex> facet, Vertex q);
+// Within the affine hull of all points.
+int side_of_facet(const Configuration& points, std::span<const Vertex> facet, Vertex q);
+
 // The determinant itself, in the points' own coordinates: k! times the signed volume of the simplex
 // projected on the axes. Requires: as for orientation.
 Rational orientation_determinant(const Configuration& points, std::span<const std::size_t> axes,

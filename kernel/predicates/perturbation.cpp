@@ -42,9 +42,7 @@ int perturbed_in_ball(const Configuration& points, std::span<const Vertex> simpl
 
 int perturbed_in_outer_halfspace(const Configuration& points, std::span<const Vertex> facet,
                                  int outward, Vertex q) {
-  std::vector<Vertex> simplex(facet.begin(), facet.end());
-  simplex.push_back(q);
-  const int side = orientation(points, simplex);
+  const int side = side_of_facet(points, facet, q);
   if (side != 0) return side == outward ? 1 : -1;
   return perturbed_in_ball(points, axes_of(points, facet), facet, q);
 }

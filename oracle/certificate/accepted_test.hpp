@@ -104,7 +104,7 @@ class RefutationAcceptor {
   }
   const ListedPoint& point(const Integer& v) const { return points_.at(v.get_ui() - 1); }
 
-  // Nothing if it is no simplex of points.
+  // Nothing if it is not a simplex of points.
   std::optional<std::vector<Point>> solid(const std::vector<Integer>& vertices) const {
     std::vector<Point> corners;
     for (const Integer& v : vertices) {

@@ -195,7 +195,7 @@ void match_ridges(Certificate& certificate) {
   });
 }
 
-// Points that are no vertices, which only a weighted triangulation has, are looked for.
+// Points that are not vertices, which only a weighted triangulation has, are looked for.
 void find_incidences(Certificate& certificate) {
   const std::size_t size = certificate.points.dimension + 1;
   std::vector<std::optional<Incidence>> found(certificate.points.size());

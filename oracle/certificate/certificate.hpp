@@ -137,7 +137,7 @@ struct Certificate {
   std::string_view standing = {};
 };
 
-// Linear in the mesh but for sorting, and for what it takes to find weighted points that are no
+// Linear in the mesh but for sorting, and for what it takes to find weighted points that are not
 // vertices. Requires: the claim holds of the mesh; its points have dimension 2 or 3, and that is
 // the dimension of their affine hull.
 Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points);

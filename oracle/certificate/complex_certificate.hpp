@@ -45,7 +45,7 @@ ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints po
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& certificate);
 
-// Proof that two points of a mesh, whose points are no set, are one.
+// Proof that two points of a mesh, whose points are not a set, are one.
 struct EqualPoints {
   ScaledPoints points;
   Vertex first;

@@ -30,7 +30,7 @@ struct Refutation {
 };
 
 // Of the rules that the verdict says are broken the first that can be shown. Linear in the mesh.
-// Nothing if all that is broken is no part of the claim: simplex.orientation,
+// Nothing if all that is broken is not part of the claim: simplex.orientation,
 // complex.wrong-neighbor.
 // Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that
 // is the dimension of their affine hull.

@@ -128,7 +128,8 @@ struct HullFillers {
   std::function<std::optional<FilledMesh>(const PiecewiseLinearComplex&)> mesh;
 };
 
-// Nothing if the boundary of a polygon or of what is filled is no union of segments and polygons.
+// Nothing if the boundary of a polygon or of what is filled is not a union of segments and
+// polygons.
 std::optional<ComplexPart> complex_part(const DomainCertificate& in);
 
 // Of each polygon the segments that its own lines list; the others in it were adopted.
@@ -211,7 +212,7 @@ std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain&
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
 
 // What proves that a domain in space has no triangulation, or no CDT: of each set of four vertices
-// why it is no simplex of one, and clauses that hold of every triangulation and that nothing
+// why it is not a simplex of one, and clauses that hold of every triangulation and that nothing
 // satisfies. Book: Section 4.5.
 
 // Variables v > 0 and their negations -v.

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/exact/point.hpp"
 #include "oracle/certificate/certificate.hpp"
@@ -158,9 +159,7 @@ class Finder {
       if (violation.rule != Rule::kFacetOverused || !violation.witness.face) continue;
       std::vector<Simplex> around;
       for (const Simplex& simplex : mesh_.simplices) {
-        const bool has_facet =
-            std::all_of(violation.witness.face->begin(), violation.witness.face->end(),
-                        [&](Vertex v) { return contains(simplex, v); });
+        const bool has_facet = has_face(simplex, *violation.witness.face);
         if (has_facet && simplex.size() == points_.dimension + 1) around.push_back(simplex);
       }
       for (std::size_t i = 0; i < around.size(); ++i) {
@@ -177,7 +176,7 @@ class Finder {
     return std::nullopt;
   }
 
-  // The midpoint of two vertices of the mesh that follow on each other on the segment and are no
+  // The midpoint of two vertices of the mesh that follow on each other on the segment and are not
   // edge.
   std::optional<Evidence> segment_missing() const {
     std::set<Simplex> edges;

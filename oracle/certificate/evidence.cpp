@@ -110,10 +110,8 @@ std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoin
   Evidence evidence{rule, {}};
   for (const Simplex& face : witness.simplices) {
     const auto found =
-        std::find_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& simplex) {
-          return std::all_of(face.begin(), face.end(),
-                             [&](Vertex v) { return contains(simplex, v); });
-        });
+        std::find_if(mesh.simplices.begin(), mesh.simplices.end(),
+                     [&](const Simplex& simplex) { return has_face(simplex, face); });
     if (found == mesh.simplices.end()) return std::nullopt;
     evidence.because.emplace_back(static_cast<unsigned long>(found - mesh.simplices.begin() + 1));
   }
@@ -130,11 +128,8 @@ namespace {
 
 // The number of a simplex that has the facet, and the place of its other vertex.
 void append_facet(std::vector<Integer>& because, const ExactMesh& mesh, const Simplex& facet) {
-  const auto found =
-      std::find_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& simplex) {
-        return std::all_of(facet.begin(), facet.end(),
-                           [&](Vertex v) { return contains(simplex, v); });
-      });
+  const auto found = std::find_if(mesh.simplices.begin(), mesh.simplices.end(),
+                                  [&](const Simplex& simplex) { return has_face(simplex, facet); });
   assert(found != mesh.simplices.end());
   const auto off =
       std::find_if(found->begin(), found->end(), [&](Vertex v) { return !contains(facet, v); });

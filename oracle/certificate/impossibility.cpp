@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/intersection.hpp"
@@ -14,6 +14,7 @@
 #include "kernel/predicates/place.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
+#include "oracle/certificate/separators.hpp"
 
 namespace circumspect::certificate {
 namespace {
@@ -61,6 +62,8 @@ class Search {
       : complex_(complex), points_(points), of_cdts_(of_cdts) {
     const auto add = [&](std::string name, const Simplex& simplex) {
       parts_.push_back({std::move(name), coordinates(complex_.points, simplex), simplex});
+      whole_parts_.emplace_back();
+      for (const Vertex v : simplex) whole_parts_.back().push_back(whole(v));
     };
     for (Vertex v = 0; complex_.points.names(v); ++v) add(fmt::format("vertex {}", v + 1), {v});
     for (std::size_t s = 0; s < complex_.segments.size(); ++s) {
@@ -121,7 +124,7 @@ class Search {
                        q.numerators[2].get_str(), q.denominator.get_str());
   }
 
-  // What is called so, with the point if it is no vertex.
+  // What is called so, with the point if it is not a vertex.
   std::string named(const CellPart& part, const Point& point) const {
     return part.simplex.size() == 1 ? part.name : part.name + " " + text(point);
   }
@@ -187,10 +190,11 @@ class Search {
           sum = sum + Rational(weights[i]) * whole(candidate[i]);
           total += weights[i];
         }
-        if (const auto planes = parting_planes(sum, total, whole(v))) {
+        const Point start = Rational(1, total) * sum;
+        if (const auto planes = separators(whole_parts_, start, whole(v), false)) {
           return fmt::format("sees {} {} {} {} {}", v + 1, sum[0].get_str(), sum[1].get_str(),
                              sum[2].get_str(), total) +
-                 *planes;
+                 planes->words;
         }
       }
     }
@@ -199,60 +203,6 @@ class Search {
 
   Point whole(Vertex v) const {
     return {points_.coordinate(v, 0), points_.coordinate(v, 1), points_.coordinate(v, 2)};
-  }
-
-  // Planes between the way from sum / total to v, which v may end in one, and each part of a cell.
-  std::optional<std::string> parting_planes(const Point& sum, const Rational& total,
-                                            const Point& v) const {
-    std::vector<Plane> planes;
-    std::string words;
-    for (const CellPart& part : parts_) {
-      std::vector<Point> corners;
-      for (const Vertex corner : part.simplex) corners.push_back(whole(corner));
-      const auto parts_it = [&](const Plane& plane) {
-        return inner_product(plane.normal, sum) > total * plane.offset &&
-               inner_product(plane.normal, v) >= plane.offset &&
-               std::all_of(corners.begin(), corners.end(), [&](const Point& corner) {
-                 return inner_product(plane.normal, corner) <= plane.offset;
-               });
-      };
-      if (std::any_of(planes.begin(), planes.end(), parts_it)) continue;
-      const auto found = plane_beside(corners, total * v - sum, v, parts_it);
-      if (!found) return std::nullopt;
-      for (const Rational& x : found->normal) words += " " + x.get_str();
-      words += " " + found->offset.get_str();
-      planes.push_back(*found);
-    }
-    return words;
-  }
-
-  // A plane that touches the part and fulfils the condition; `way` leads to v.
-  static std::optional<Plane> plane_beside(const std::vector<Point>& corners, const Point& way,
-                                           const Point& v, const auto& condition) {
-    std::vector<Point> normals = {way};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Point from_v = corners[i] - v;
-      normals.push_back(cross_product(cross_product(from_v, way), from_v));
-      normals.push_back(cross_product(cross_product(from_v, way), way));
-      for (std::size_t j = 0; j < i; ++j) {
-        normals.push_back(cross_product(corners[i] - corners[j], way));
-        normals.push_back(cross_product(corners[i] - corners[j], from_v));
-      }
-    }
-    if (corners.size() == 3) {
-      normals.push_back(cross_product(corners[1] - corners[0], corners[2] - corners[0]));
-    }
-    for (const Point& normal : normals) {
-      for (const int sign : {1, -1}) {
-        Plane plane{Rational(sign) * normal, 0};
-        plane.offset = inner_product(plane.normal, corners[0]);
-        for (const Point& corner : corners) {
-          plane.offset = std::max(plane.offset, inner_product(plane.normal, corner));
-        }
-        if (condition(plane)) return plane;
-      }
-    }
-    return std::nullopt;
   }
 
   // The planes of all triangles, and on which sides of them the vertices are.
@@ -369,6 +319,7 @@ class Search {
   const ScaledPoints& points_;
   bool of_cdts_;
   std::vector<CellPart> parts_;
+  std::vector<std::vector<Point>> whole_parts_;  // their corners, in integers
   std::vector<Simplex> candidates_;
   std::map<Simplex, std::size_t> number_of_;
   std::vector<std::size_t> free_;   // the candidates that may be chosen

@@ -85,6 +85,22 @@ tl::expected<ScaledPoints, std::string> scaled_to_integers(const PointSet& point
   return scaled;
 }
 
+HomogeneousPoint homogeneous(const Point& point) {
+  HomogeneousPoint q{{}, common_denominator(point)};
+  for (const Rational& x : point) q.numerators.push_back(numerator_over(q.denominator, x));
+  return q;
+}
+
+Point ordinary(const HomogeneousPoint& q) {
+  Point point;
+  for (const Integer& x : q.numerators) {
+    Rational ratio(x, q.denominator);
+    ratio.canonicalize();
+    point.push_back(ratio);
+  }
+  return point;
+}
+
 HomogeneousPoint in_lowest_terms(HomogeneousPoint point) {
   Integer factor = point.denominator;
   for (const Integer& x : point.numerators) factor = gcd(factor, x);
@@ -222,194 +238,6 @@ std::optional<std::size_t> Sidedness::separating_place(std::span<const Vertex> s
     if (orientation_with(simplex, place, q) * own < 0) return place;
   }
   return std::nullopt;
-}
-
-Point perpendicular(const Point& u, const Point& v) {
-  const Rational length = squared_length(v);
-  return sgn(length) == 0 ? u : length * u - inner_product(u, v) * v;
-}
-
-namespace {
-
-struct Separator {
-  Point normal;
-  Rational offset;
-};
-
-// Of two disjoint convex sets the nearest points are on corners, edges or a triangle: one of these
-// planes is between.
-std::optional<Separator> separator(const std::vector<Point>& corners, const Point& a,
-                                   const Point& b, const auto& condition) {
-  std::vector<Point> directions = {b - a};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    directions.push_back(a - corners[i]);
-    directions.push_back(b - corners[i]);
-    for (std::size_t j = 0; j < i; ++j) directions.push_back(corners[i] - corners[j]);
-  }
-  std::vector<Point> normals = directions;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    for (std::size_t j = 0; j < directions.size(); ++j) {
-      if (i != j) normals.push_back(perpendicular(directions[i], directions[j]));
-      if (i < j && a.size() == 3) normals.push_back(cross_product(directions[i], directions[j]));
-    }
-  }
-  for (const Point& normal : normals) {
-    for (const int sign : {1, -1}) {
-      Separator plane{Rational(sign) * normal, 0};
-      plane.offset = inner_product(plane.normal, corners.front());
-      for (const Point& corner : corners) {
-        plane.offset = std::max(plane.offset, inner_product(plane.normal, corner));
-      }
-      if (condition(plane)) return plane;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<Separators> separators(const std::vector<std::vector<Point>>& parts, const Point& a,
-                                     const Point& b, bool with_end) {
-  std::vector<Separator> planes;
-  Separators made;
-  for (const std::vector<Point>& corners : parts) {
-    const auto parts_it = [&](const Separator& plane) {
-      const Rational at_b = inner_product(plane.normal, b);
-      return inner_product(plane.normal, a) > plane.offset &&
-             (with_end ? at_b > plane.offset : at_b >= plane.offset) &&
-             std::all_of(corners.begin(), corners.end(), [&](const Point& corner) {
-               return inner_product(plane.normal, corner) <= plane.offset;
-             });
-    };
-    if (std::any_of(planes.begin(), planes.end(), parts_it)) continue;
-    auto found = separator(corners, a, b, parts_it);
-    if (!found) return std::nullopt;
-    const Integer common = common_denominator(found->normal);
-    found->normal = Rational(common) * found->normal;
-    found->offset *= common;
-    for (const Rational& x : found->normal) made.words += " " + x.get_str();
-    made.words += " " + found->offset.get_str();
-    ++made.count;
-    planes.push_back(std::move(*found));
-  }
-  return made;
-}
-
-HomogeneousPoint homogeneous(const Point& point) {
-  HomogeneousPoint q{{}, common_denominator(point)};
-  for (const Rational& x : point) q.numerators.push_back(numerator_over(q.denominator, x));
-  return q;
-}
-
-Point ordinary(const HomogeneousPoint& q) {
-  Point point;
-  for (const Integer& x : q.numerators) {
-    Rational ratio(x, q.denominator);
-    ratio.canonicalize();
-    point.push_back(ratio);
-  }
-  return point;
-}
-
-std::string text_of(const Point& point) {
-  const HomogeneousPoint q = homogeneous(point);
-  std::string words;
-  for (const Integer& x : q.numerators) words += x.get_str() + " ";
-  return words + q.denominator.get_str();
-}
-
-std::vector<Point> samples(const std::vector<Point>& corners) {
-  constexpr int kMuch = 8;
-  std::vector<Point> found;
-  if (corners.size() < 2) return found;
-  found.push_back(circumspect::barycentre(corners));
-  for (const Point& corner : corners) {
-    found.push_back(Rational(1, kMuch + 1) * (Rational(kMuch) * corner + found.front()));
-  }
-  return found;
-}
-
-std::vector<Point> directions_from(const std::vector<Point>& simplex, const Point& start) {
-  const std::size_t dimension = start.size();
-  std::vector<Point> found;
-  for (std::size_t axis = 0; axis < dimension; ++axis)
-    found.emplace_back(dimension, 0).at(axis) = 1;
-  for (std::size_t place = 0; place < simplex.size() && simplex.size() == dimension + 1; ++place) {
-    std::vector<Point> facet = simplex;
-    facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
-    const Point edge = facet[1] - facet[0];
-    found.push_back(dimension == 2 ? perpendicular(simplex[place] - facet[0], edge)
-                                   : cross_product(edge, facet[2] - facet[0]));
-    const Point away = start - simplex[place];
-    found.push_back(Rational(common_denominator(away)) * away);
-  }
-  return found;
-}
-
-namespace {
-
-// How far a point is from the line of two, towards a third; all of them in one plane.
-Rational height(const Point& a, const Point& b, const Point& towards, const Point& point) {
-  return inner_product(cross_product(b - a, towards - a), cross_product(b - a, point - a));
-}
-
-// Between which parts of the way, 0 at one end and 1 at the other, it is in the triangle: from the
-// first to the second, if that is not less.
-std::pair<Rational, Rational> part_inside(const std::vector<Point>& triangle, const Point& from,
-                                          const Point& to) {
-  Rational first = 0;
-  Rational last = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point& a = triangle[i];
-    const Point& b = triangle[(i + 1) % 3];
-    const Rational start = height(a, b, triangle[(i + 2) % 3], from);
-    const Rational end = height(a, b, triangle[(i + 2) % 3], to);
-    if (sgn(start) < 0 && sgn(end) < 0) return {1, 0};
-    if (sgn(start) < 0) first = std::max(first, Rational(start / (start - end)));
-    if (sgn(end) < 0) last = std::min(last, Rational(start / (start - end)));
-  }
-  return {first, last};
-}
-
-}  // namespace
-
-std::string balance(const std::vector<Point>& triangle, const Point& point) {
-  std::vector<Rational> weights;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point& a = triangle[(i + 1) % 3];
-    const Point& b = triangle[(i + 2) % 3];
-    weights.push_back(-height(a, b, triangle[i], point) / height(a, b, triangle[i], triangle[i]));
-  }
-  weights.emplace_back(1);
-  const Integer whole = common_denominator(weights);
-  std::string words;
-  for (const Rational& weight : weights) {
-    words += (words.empty() ? "" : " ") + Rational(weight * whole).get_num().get_str();
-  }
-  return words;
-}
-
-std::optional<std::string> way_through(const std::vector<std::vector<Point>>& triangles,
-                                       const Point& from, const Point& to) {
-  std::string bends;
-  int count = 0;
-  Rational reached = 0;
-  while (true) {
-    std::size_t best = 0;
-    Rational furthest = reached;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto [first, last] = part_inside(triangles[t], from, to);
-      if (first > reached || last <= furthest) continue;
-      best = t + 1;
-      furthest = last;
-    }
-    if (best == 0) return std::nullopt;
-    const std::string name = " " + std::to_string(best);
-    if (furthest == 1) return std::to_string(count) + bends + name;
-    reached = furthest;
-    ++count;
-    bends += name + " " + text_of(from + reached * (to - from));
-  }
 }
 
 }  // namespace circumspect::certificate

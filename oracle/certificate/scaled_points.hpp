@@ -47,6 +47,10 @@ struct HomogeneousPoint {
   Integer denominator = 1;
 };
 
+// A point with rational coordinates as integers over one denominator, and back.
+HomogeneousPoint homogeneous(const Point& point);
+Point ordinary(const HomogeneousPoint& point);
+
 // Divides by what numerators and denominator have in common.
 HomogeneousPoint in_lowest_terms(HomogeneousPoint point);
 
@@ -101,46 +105,5 @@ class Sidedness {
   Integer minor_;
   Integer determinant_;
 };
-
-// A point with rational coordinates as integers over one denominator, and back; and as it stands in
-// a file.
-HomogeneousPoint homogeneous(const Point& point);
-Point ordinary(const HomogeneousPoint& point);
-std::string text_of(const Point& point);
-
-// Some points of what has these corners, none of them a corner.
-std::vector<Point> samples(const std::vector<Point>& corners);
-// Integers: the axes, and what is perpendicular to the facets of a simplex, or leads from its
-// corners to the point.
-std::vector<Point> directions_from(const std::vector<Point>& simplex, const Point& start);
-
-// Weights of the corners of a triangle in space and of a point in its plane, as they stand in a
-// file: integers that sum up to nothing, as the points times them do; the last, that of the point,
-// is positive.
-std::string balance(const std::vector<Point>& triangle, const Point& point);
-
-// The way from one point to another through triangles of a plane in space, as it stands in a file:
-// how many times it goes from one into the next, each time out of which and where, and the last
-// one; counted from 1. Nothing if they do not cover it.
-std::optional<std::string> way_through(const std::vector<std::vector<Point>>& triangles,
-                                       const Point& from, const Point& to);
-
-// Planes, in the plane lines, that part a way from convex sets.
-
-// What of u is perpendicular to v, times a positive number; u itself if v is 0.
-Point perpendicular(const Point& u, const Point& v);
-
-// So many planes <normal, p> = offset; each is a space, the normal, and the offset, all of them
-// integers.
-struct Separators {
-  std::size_t count = 0;
-  std::string words = "";
-};
-
-// For each part, the convex hull of one to three integer points, a plane with the part on one side,
-// or in it, and the way from a to b strictly on the other; b may be in it unless `with_end`.
-// Nothing if none was found: with `with_end` the way then meets a part.
-std::optional<Separators> separators(const std::vector<std::vector<Point>>& parts, const Point& a,
-                                     const Point& b, bool with_end);
 
 }  // namespace circumspect::certificate

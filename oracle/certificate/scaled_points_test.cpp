@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/certificate/separators.hpp"
+
 namespace circumspect::certificate {
 
 namespace {

@@ -10,6 +10,8 @@
 #include "kernel/predicates/intersection.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/evidence.hpp"
+#include "oracle/certificate/points_in_words.hpp"
+#include "oracle/certificate/separators.hpp"
 
 namespace circumspect::certificate {
 namespace {

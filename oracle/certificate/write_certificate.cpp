@@ -11,19 +11,38 @@ namespace circumspect::certificate {
 
 namespace {
 
+// By the vertices, their numbers in the certificate.
+std::vector<std::size_t> numbers_of(const Certificate& certificate) {
+  std::vector<std::size_t> number(certificate.order.size());
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    number[static_cast<std::size_t>(certificate.order[i])] = i + 1;
+  }
+  return number;
+}
+
+void begin_section(Lines& lines, std::string_view name, std::size_t count) {
+  lines << name << count;
+  lines.end_line();
+}
+
+// Or a dash in its place.
+template <class Number>
+void write_optional(Lines& lines, const std::optional<Number>& number) {
+  if (number) {
+    lines << *number;
+  } else {
+    lines << "-";
+  }
+}
+
 void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
                   std::size_t helpers) {
-  lines << "points" << certificate.order.size();
-  lines.end_line();
+  begin_section(lines, "points", certificate.order.size());
   for (const Vertex v : certificate.order) {
     write_point(lines, certificate.points, v, certificate.claim == Claim::kWeightedDelaunay);
     const Incidence& incidence = certificate.incidences[static_cast<std::size_t>(v)];
     lines.gap() << incidence.simplex + 1;
-    if (incidence.place) {
-      lines << *incidence.place;
-    } else {
-      lines << "-";
-    }
+    write_optional(lines, incidence.place);
     if (static_cast<std::size_t>(v) + helpers < certificate.order.size()) {
       lines << mesh.label(v);
     } else {
@@ -42,13 +61,9 @@ void write_across(Lines& lines, const Across& across) {
 }
 
 void write_simplices(Lines& lines, const Certificate& certificate) {
-  std::vector<std::size_t> number(certificate.order.size());
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    number[static_cast<std::size_t>(certificate.order[i])] = i + 1;
-  }
+  const std::vector<std::size_t> number = numbers_of(certificate);
   const std::size_t size = certificate.points.dimension + 1;
-  lines << "simplices" << certificate.simplices.size();
-  lines.end_line();
+  begin_section(lines, "simplices", certificate.simplices.size());
   for (const CertifiedSimplex& simplex : certificate.simplices) {
     for (std::size_t i = 0; i < size; ++i) {
       lines << number[static_cast<std::size_t>(simplex.vertices[i])];
@@ -56,18 +71,13 @@ void write_simplices(Lines& lines, const Certificate& certificate) {
     lines.gap();
     for (std::size_t i = 0; i < size; ++i) write_across(lines, simplex.across[i]);
     lines.gap();
-    if (simplex.separating) {
-      lines << *simplex.separating;
-    } else {
-      lines << "-";
-    }
+    write_optional(lines, simplex.separating);
     lines.end_line();
   }
 }
 
 void write_hull(Lines& lines, const Certificate& certificate) {
-  lines << "hull" << certificate.hull.size();
-  lines.end_line();
+  begin_section(lines, "hull", certificate.hull.size());
   for (const HullFacet& facet : certificate.hull) {
     lines << facet.simplex + 1 << facet.place;
     lines.gap();
@@ -101,20 +111,6 @@ void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certific
 }
 
 namespace {
-
-// By the vertices, their numbers in the certificate.
-std::vector<std::size_t> numbers_of(const Certificate& certificate) {
-  std::vector<std::size_t> number(certificate.order.size());
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    number[static_cast<std::size_t>(certificate.order[i])] = i + 1;
-  }
-  return number;
-}
-
-void begin_section(Lines& lines, std::string_view name, std::size_t count) {
-  lines << name << count;
-  lines.end_line();
-}
 
 void write_mark(Lines& lines, const Mark& mark, std::size_t size) {
   lines << (mark.rank == 0 ? "+" : "-");

@@ -26,7 +26,7 @@ struct Counted {
 // the same file need nothing else; if there are several copies, the ranks that see a copy digest
 // all of its bytes, each an equal part. Errors, the same at all ranks: the ranks' files differ in
 // their counts, their size or any byte (two copies with equal digests of 64 bits by chance
-// excepted). This finds mistakes, and is no defence against an attack.
+// excepted). This finds mistakes, and is not a defence against an attack.
 formats::Status check_shared(Ranks& ranks, const std::string& path, const Counted& own);
 
 }  // namespace circumspect::distributed

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <span>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
@@ -45,10 +45,10 @@ std::vector<EdgeSide> edge_sides(const Configuration& points, const std::vector<
 // Joins triangles across edges that are not among some, and says which set each is in.
 DisjointSets joined_across(const std::vector<Simplex>& triangles, const std::set<Simplex>& barred) {
   DisjointSets sets(triangles.size());
-  for_each_facet(facet_uses(triangles), [&](std::span<const FacetUse> at_edge) {
-    if (at_edge.size() != 2 || barred.contains(at_edge.front().facet)) return;
+  for (const auto at_edge : ByFacet(facet_uses(triangles))) {
+    if (at_edge.size() != 2 || barred.contains(at_edge.front().facet)) continue;
     sets.unite(at_edge[0].simplex, at_edge[1].simplex);
-  });
+  }
   return sets;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/bytes/text_lines.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -33,7 +34,7 @@ class Places {
     }
   }
 
-  // Twice the distance of a node from the middle of two others, squared; 0 if one is no point.
+  // Twice the distance of a node from the middle of two others, squared; 0 if one is not a point.
   double twice_off_squared(Vertex node, Vertex a, Vertex b) const {
     double sum = 0;
     if (!names(node) || !names(a) || !names(b)) return sum;

@@ -11,7 +11,7 @@
 namespace circumspect::formats {
 
 // The indices of nodes of curved elements that are not their corners, ascending, each once. They
-// are no vertices of the mesh, unless another element has them as a corner.
+// are not vertices of the mesh, unless another element has them as a corner.
 std::vector<Vertex> nodes_between_corners(const ElementFile& file);
 
 // A note that says how many elements are judged by their corners and, if all are of second order,

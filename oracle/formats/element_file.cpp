@@ -4,6 +4,7 @@
 #include <iterator>
 #include <span>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 
 namespace circumspect::formats {
@@ -144,13 +145,13 @@ TopElements top_elements(ElementFile& file) {
 std::vector<Simplex> surface_of(const ElementFile& file) {
   std::vector<Simplex> surface = file.triangles.simplices.lists();
   const std::vector<Simplex> tetrahedra = file.tetrahedra.simplices.lists();
-  for_each_facet(facet_uses(tetrahedra), [&](std::span<const FacetUse> uses) {
-    if (uses.size() != 1) return;
+  for (const auto uses : ByFacet(facet_uses(tetrahedra))) {
+    if (uses.size() != 1) continue;
     const std::size_t place = uses.front().opposite;
     Simplex facet = facet_opposite(tetrahedra[uses.front().simplex], place);
     if (place % 2 == 0) std::swap(facet[0], facet[1]);
     surface.push_back(std::move(facet));
-  });
+  }
   return surface;
 }
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 
 namespace circumspect::formats {
 namespace {
 
 constexpr std::string_view kMarks = "(){};";
-
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // The number behind a key of the architecture, "LSB;label=32;scalar=64", in bytes.
 std::size_t bytes_behind(std::string_view arch, std::string_view key, std::size_t usual) {
@@ -48,7 +47,7 @@ void FoamFile::skip_blanks() {
   const std::string_view text = source_.text;
   while (at_ < text.size()) {
     const std::string_view rest = text.substr(at_);
-    if (is_blank(rest.front())) {
+    if (is_space(rest.front())) {
       ++at_;
     } else if (rest.starts_with("//")) {
       at_ = std::min(text.find('\n', at_), text.size());
@@ -69,7 +68,7 @@ std::string_view FoamFile::word() {
   if (end < text.size() && text[end] == '"') {
     end = std::min(text.find('"', end + 1), text.size() - 1) + 1;
   } else {
-    while (end < text.size() && !is_blank(text[end]) && kMarks.find(text[end]) == kMarks.npos)
+    while (end < text.size() && !is_space(text[end]) && kMarks.find(text[end]) == kMarks.npos)
       ++end;
     if (end == at_ && end < text.size()) ++end;  // a mark
   }

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/indices.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/point_rows.hpp"

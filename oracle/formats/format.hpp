@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/beginning.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"

@@ -5,7 +5,7 @@
 // Also the coordinates alone, as programs pass them on: those of a ring, a polygon or several.
 #pragma once
 
-#include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 

@@ -1,6 +1,7 @@
 #include "oracle/formats/json.hpp"
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/json_events.hpp"
 #include "oracle/formats/json_text.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

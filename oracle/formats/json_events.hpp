@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/json_text.hpp"
 

@@ -29,7 +29,7 @@ WrittenMesh mesh_of_telling_counts() {
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Where the bytes stand in a text; a number in digits only if it is no part of another one.
+// Where the bytes stand in a text; a number in digits only if it is not part of another one.
 std::vector<std::size_t> places_of(const std::string& text, const std::string& bytes) {
   std::vector<std::size_t> places;
   for (std::size_t at = text.find(bytes); at != std::string::npos; at = text.find(bytes, at + 1)) {

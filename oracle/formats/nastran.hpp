@@ -13,6 +13,7 @@
 #pragma once
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/beginning.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"

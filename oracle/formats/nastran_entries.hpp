@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/bytes/text_lines.hpp"
 
@@ -41,7 +42,7 @@ class NastranEntries {
   tl::unexpected<FormatError> fail_at_end(std::string expected) const;
 
  private:
-  // Goes to the next line that is no comment and not empty; false at the end.
+  // Goes to the next line that is not a comment and not empty; false at the end.
   bool next_line();
   bool continues() const;
   // Adds the fields of the current line to the entry.

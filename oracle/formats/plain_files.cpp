@@ -4,28 +4,30 @@
 #include <new>
 #include <span>
 
-#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {
 
 namespace {
 
-struct PlainNodeHeader {
-  std::size_t points = 0;
-  std::size_t dimension = 0;
-  std::size_t attributes = 0;
-  std::size_t markers = 0;
-  std::size_t columns() const { return 1 + dimension + attributes + markers; }
+// What the header says, how many rows it announces, and where they begin.
+template <class Header>
+struct Beginning {
+  Header header;
+  std::size_t rows;
+  std::size_t end;
 };
 
-std::optional<PlainNodeHeader> node_header(const PlainHeader& header) {
-  const PlainNodeHeader node{header.numbers[0], header.numbers[1], header.numbers[2],
-                             header.numbers[3]};
-  if (header.size < 2 || node.dimension < 1 || node.dimension > kLargestDimension ||
-      node.attributes > kMostPlainColumns || node.markers > 1) {
-    return std::nullopt;
-  }
-  return node;
+// `read(numbered)` reads the header as for the other reader. Nothing if there is a fault.
+template <class Header, class Read>
+std::optional<Beginning<Header>> beginning(const RandomAccess& file, const Read& read) {
+  const std::optional<Source> text = beginning_of(file);
+  if (!text) return std::nullopt;
+  NumberedLines numbered(*text, "", "");
+  const Result<Header> header = read(numbered);
+  if (!header) return std::nullopt;
+  return Beginning<Header>{*header, numbered.count(),
+                           text->text.size() - numbered.lines().bytes_left()};
 }
 
 // `value` minus `first`; false if the difference does not fit.
@@ -42,43 +44,37 @@ PlainRows blocks_with(PlainRows rows, Slice slice) {
   return rows;
 }
 
-// The columns of .ele and .neigh: indices, and numbers that do not matter for a mesh.
-struct IndexColumns {
-  std::size_t indices = 0;
-  std::size_t attributes = 0;
-};
-
 std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& reading) {
-  const std::optional<PlainHeader> header = read_plain_header(file);
-  if (!header) return std::nullopt;
-  const std::optional<PlainNodeHeader> node = node_header(*header);
-  if (!node) return std::nullopt;
+  const auto begun = beginning<NodeHeader>(
+      file, [](NumberedLines& numbered) { return read_node_header(numbered, false); });
+  if (!begun) return std::nullopt;
+  const NodeHeader& node = begun->header;
   const std::optional<PlainRows> rows =
-      plan_rows(file, header->end, node->points, node->columns(), reading.block_size);
+      plan_rows(file, begun->end, begun->rows, node.columns(), reading.block_size);
   if (!rows) return std::nullopt;
-  const Slice slice = reading.part.slice(node->points);
+  const Slice slice = reading.part.slice(begun->rows);
   PlainPoints points;
-  points.coordinates = Rows<double>(slice.size(), node->dimension);
-  if (node->attributes > 0) points.weights = Rows<double>(slice.size(), 1);
+  points.coordinates = Rows<double>(slice.size(), node.dimension);
+  if (node.attributes > 0) points.weights = Rows<double>(slice.size(), 1);
   points.first_index = rows->first_index;
-  points.in_file = node->points;
+  points.in_file = begun->rows;
   const auto read_row = [&points, &node, slice](PlainTokens& tokens, std::size_t row) {
     std::array<double, kLargestDimension> others;  // of a row outside the slice
-    std::span<double> coordinates(others.data(), node->dimension);
+    std::span<double> coordinates(others.data(), node.dimension);
     double ignored = 0;
     double* weight = &ignored;
     if (slice.has(row)) {
       coordinates = points.coordinates.row(row - slice.begin);
-      if (node->attributes > 0) weight = &points.weights.row(row - slice.begin)[0];
+      if (node.attributes > 0) weight = &points.weights.row(row - slice.begin)[0];
     }
     for (double& coordinate : coordinates) {
       if (!tokens.number(coordinate)) return false;
     }
-    for (std::size_t i = 0; i < node->attributes; ++i) {
+    for (std::size_t i = 0; i < node.attributes; ++i) {
       if (!tokens.number(i == 0 ? *weight : ignored)) return false;
     }
     std::int64_t marker = 0;
-    return node->markers == 0 || tokens.integer(marker);
+    return node.markers == 0 || tokens.integer(marker);
   };
   if (!read_plain_rows(file, blocks_with(*rows, slice), reading.threads, read_row)) {
     return std::nullopt;
@@ -89,22 +85,20 @@ std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& re
 // `to_flat(value, first_row, index)`: converts an index of the file to one from 0, given the index
 // `first_row` of the first row; false if there is none.
 template <class Index, class ToFlat>
-std::optional<PlainIndices<Index>> indices(const RandomAccess& file, const PlainHeader& header,
-                                           IndexColumns columns, const PlainReading& reading,
-                                           const ToFlat& to_flat) {
-  if (columns.indices < 1 || columns.indices > kMostPlainColumns) return std::nullopt;
-  if (columns.attributes > kMostPlainColumns) return std::nullopt;
+std::optional<PlainIndices<Index>> indices(const RandomAccess& file,
+                                           const Beginning<EleHeader>& begun,
+                                           const PlainReading& reading, const ToFlat& to_flat) {
+  const EleHeader& columns = begun.header;
   const std::optional<PlainRows> rows =
-      plan_rows(file, header.end, header.numbers[0], 1 + columns.indices + columns.attributes,
-                reading.block_size);
+      plan_rows(file, begun.end, begun.rows, columns.columns(), reading.block_size);
   if (!rows) return std::nullopt;
-  const Slice slice = reading.part.slice(header.numbers[0]);
-  PlainIndices<Index> result{Rows<Index>(slice.size(), columns.indices), rows->first_index,
-                             header.numbers[0]};
+  const Slice slice = reading.part.slice(begun.rows);
+  PlainIndices<Index> result{Rows<Index>(slice.size(), columns.vertices), rows->first_index,
+                             begun.rows};
   const auto read_row = [&](PlainTokens& tokens, std::size_t row) {
     Index* next = nullptr;
     if (slice.has(row)) next = result.rows.row(row - slice.begin).data();
-    for (std::size_t i = 0; i < columns.indices; ++i) {
+    for (std::size_t i = 0; i < columns.vertices; ++i) {
       std::int64_t value = 0;
       Index index = 0;
       if (!tokens.integer(value) || !to_flat(value, rows->first_index, index)) return false;
@@ -125,9 +119,9 @@ std::optional<PlainIndices<Index>> indices(const RandomAccess& file, const Plain
 template <class Index>
 std::optional<PlainIndices<Index>> ele(const RandomAccess& file, Vertex first_point,
                                        const PlainReading& reading) {
-  const std::optional<PlainHeader> header = read_plain_header(file);
-  if (!header || header->size < 2 || header->size > 3) return std::nullopt;
-  return indices<Index>(file, *header, {header->numbers[1], header->numbers[2]}, reading,
+  const auto begun = beginning<EleHeader>(file, read_ele_header);
+  if (!begun) return std::nullopt;
+  return indices<Index>(file, *begun, reading,
                         [first_point](std::int64_t value, Vertex, Index& vertex) {
                           return count_from(first_point, value, vertex);
                         });
@@ -135,14 +129,15 @@ std::optional<PlainIndices<Index>> ele(const RandomAccess& file, Vertex first_po
 
 std::optional<PlainIndices<std::int32_t>> neigh(const RandomAccess& file,
                                                 const PlainReading& reading) {
-  const std::optional<PlainHeader> header = read_plain_header(file);
-  if (!header || header->size != 2) return std::nullopt;
-  return indices<std::int32_t>(file, *header, {header->numbers[1], 0}, reading,
-                               [](std::int64_t value, Vertex first, std::int32_t& simplex) {
-                                 if (value == -1) first = 0;
-                                 return count_from(first, value, simplex) &&
-                                        (simplex >= 0 || value == -1);
-                               });
+  const auto begun = beginning<EleHeader>(file, [](NumberedLines& numbered) {
+    return read_neigh_header(numbered).map([](std::size_t k) { return EleHeader{k, 0}; });
+  });
+  if (!begun) return std::nullopt;
+  return indices<std::int32_t>(
+      file, *begun, reading, [](std::int64_t value, Vertex first, std::int32_t& simplex) {
+        if (value == -1) first = 0;
+        return count_from(first, value, simplex) && (simplex >= 0 || value == -1);
+      });
 }
 
 // If memory runs out, there is no answer either, and the slow reader says so.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/plain_rows.hpp"

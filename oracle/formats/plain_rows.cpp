@@ -1,7 +1,6 @@
 #include "oracle/formats/plain_rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <limits>
 #include <new>
@@ -45,17 +44,13 @@ class LinesOfFile {
     return true;
   }
 
-  std::size_t size() const { return size_; }
+  std::string_view text() const { return {bytes_.data(), size_}; }
   PlainTokens tokens(std::size_t from = 0) const {
     return {bytes_.data() + from, bytes_.data() + size_};
   }
-  // How many bytes precede the current position of the tokens.
-  std::size_t before(const PlainTokens& tokens) const {
-    return static_cast<std::size_t>(tokens.at() - bytes_.data());
-  }
   // Where the line after the first one begins; size() if there is none.
   std::size_t second_line() const {
-    const std::size_t end = std::string_view(bytes_.data(), size_).find('\n');
+    const std::size_t end = text().find('\n');
     return end == std::string_view::npos ? size_ : end + 1;
   }
 
@@ -98,24 +93,10 @@ bool is_in_order(const PlainRows& rows) {
 
 }  // namespace
 
-std::optional<PlainHeader> read_plain_header(const RandomAccess& file) {
+std::optional<Source> beginning_of(const RandomAccess& file) {
   LinesOfFile lines(std::min(kBeginning, file.size()));
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (!lines.copy_some(file, 0, kBeginning)) return std::nullopt;
-  const bool has_mark =
-      std::string_view(lines.tokens().at(), lines.size()).starts_with(kByteOrderMark);
-  PlainTokens tokens = lines.tokens(has_mark ? kByteOrderMark.size() : 0);
-  if (!skip_empty_lines(tokens)) return std::nullopt;
-  PlainHeader header;
-  while (!tokens.skip_line_end()) {
-    std::int64_t number = 0;
-    if (header.size == header.numbers.size() || !tokens.integer(number) || number < 0) {
-      return std::nullopt;
-    }
-    header.numbers[header.size++] = count_of(number);
-  }
-  header.end = std::min(lines.before(tokens), file.size());
-  return header;
+  return Source{"", std::string(lines.text().substr(0, file.size()))};
 }
 
 std::optional<PlainRows> plan_rows(const RandomAccess& file, std::size_t begin, std::size_t rows,

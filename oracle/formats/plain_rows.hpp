@@ -1,9 +1,14 @@
-// The files of Triangle and TetGen as programs write them: a header, then numbered rows, read by
-// several threads. Anything that is not exactly of that form is left to NumberedLines, which reads
-// it or says what is wrong with it: here that is not an error, but there is no answer.
+// Numbered rows of plain numbers, as programs write them below the header of a file of Triangle or
+// TetGen, read by several threads. Anything that is not exactly of that form is left to
+// NumberedLines, which reads it or says what is wrong with it: here that is not an error, but there
+// is no answer.
+//
+// There are two readers of rows and not one because they keep different things. This one has a
+// block of the file at a time, in each thread, and no line numbers: a message needs the line of the
+// first fault of the file, so all blocks before it. That one keeps the whole text, exact numbers,
+// labels and the line of each row, which takes several times the memory and the time.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,14 +21,9 @@
 
 namespace circumspect::formats {
 
-// The numbers on the first line that has any.
-struct PlainHeader {
-  std::array<std::size_t, 4> numbers = {};  // those that are missing: 0
-  std::size_t size = 0;                     // how many there are
-  std::size_t end = 0;                      // where the next line begins
-};
-// Nothing unless there are 1 to 4 integers, 0 or more.
-std::optional<PlainHeader> read_plain_header(const RandomAccess& file);
+// The whole lines at the beginning of a file, among them its header. Nothing if the file no longer
+// has them.
+std::optional<Source> beginning_of(const RandomAccess& file);
 
 // A part of a file that one thread reads: whole lines, which hold the rows from `first` up to
 // `last`.

@@ -40,8 +40,6 @@ class PlainTokens {
   }
 
  private:
-  // Tab, line feed, vertical tab, form feed and carriage return are consecutive.
-  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   static bool is_blank(char c) { return is_space(c) && c != '\n'; }
   static bool ends_token(char c) { return is_space(c) || c == '#'; }
 

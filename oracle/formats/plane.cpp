@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 namespace {

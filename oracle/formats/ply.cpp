@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/source.hpp"

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <optional>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 
 namespace circumspect::formats {

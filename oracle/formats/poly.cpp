@@ -1,6 +1,6 @@
 #include "oracle/formats/poly.hpp"
 
-#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/numbered_lines.hpp"
 #include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {

@@ -20,6 +20,7 @@
 #include <functional>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 

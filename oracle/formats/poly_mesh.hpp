@@ -10,6 +10,7 @@
 #include <string>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
 

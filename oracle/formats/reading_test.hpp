@@ -10,6 +10,7 @@
 #include <zlib.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 
 namespace circumspect::formats {

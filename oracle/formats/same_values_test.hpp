@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/tetgen.hpp"
 

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 

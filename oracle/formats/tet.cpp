@@ -48,10 +48,8 @@ Result<TetCounts> read_tet_counts(MixedText& text) {
 // Is there a byte that does not occur in text? Binary vertices contain a byte 0, unless there are
 // more than 16 million.
 bool has_bytes_of_no_text(std::string_view text) {
-  return std::any_of(text.begin(), text.end(), [](char c) {
-    const bool is_blank = c == ' ' || (c >= '\t' && c <= '\r');
-    return !is_blank && (c < '!' || c > '~');
-  });
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return !is_space(c) && (c < '!' || c > '~'); });
 }
 
 Status read_tetrahedron(MixedText& text, const Item& one, Simplex& vertices, std::size_t& line) {

@@ -1,6 +1,5 @@
 #include "oracle/formats/tetgen.hpp"
 
-#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -14,14 +13,9 @@ Result<std::size_t> marker_count(NumberedLines& numbered, std::size_t column) {
   return markers;
 }
 
-struct NodeHeader {
-  std::size_t dimension = 0;
-  std::size_t attributes = 0;
-  std::size_t markers = 0;
-};
+}  // namespace
 
-// `may_be_empty`: without points, nothing else is required.
-Result<NodeHeader> read_header(NumberedLines& numbered, bool may_be_empty) {
+Result<NodeHeader> read_node_header(NumberedLines& numbered, bool may_be_empty) {
   Status status =
       numbered.read_header("points dimension [attributes [markers]]", may_be_empty ? 1 : 2, 4);
   if (!status) return tl::unexpected(status.error());
@@ -38,6 +32,8 @@ Result<NodeHeader> read_header(NumberedLines& numbered, bool may_be_empty) {
   if (!markers) return tl::unexpected(markers.error());
   return NodeHeader{*dimension, *attributes, *markers};
 }
+
+namespace {
 
 std::string columns_in_words(const NodeHeader& header) {
   std::string text = "an index, " + std::to_string(header.dimension) + " coordinates";
@@ -65,10 +61,9 @@ Status read_point(const Lines& lines, const NodeHeader& header, NumberReading re
 }
 
 Result<PointFile> read_list(NumberedLines& numbered, NumberReading reading, bool may_be_empty) {
-  const Result<NodeHeader> header = read_header(numbered, may_be_empty);
+  const Result<NodeHeader> header = read_node_header(numbered, may_be_empty);
   if (!header) return tl::unexpected(header.error());
-  numbered.expect_columns(1 + header->dimension + header->attributes + header->markers,
-                          columns_in_words(*header));
+  numbered.expect_columns(header->columns(), columns_in_words(*header));
   PointFile file;
   file.dimension = header->dimension;
   if (header->dimension > 0) file.points.set_columns(header->dimension);
@@ -112,14 +107,7 @@ void write_node(std::ostream& out, const PointFile& file) {
   }
 }
 
-namespace {
-
-struct EleHeader {
-  std::size_t vertices = 0;
-  std::size_t attributes = 0;
-};
-
-Result<EleHeader> read_header(NumberedLines& numbered) {
+Result<EleHeader> read_ele_header(NumberedLines& numbered) {
   const Status status = numbered.read_header("simplices vertices-of-each [attributes]", 2, 3);
   if (!status) return tl::unexpected(status.error());
   const Result<std::size_t> vertices = numbered.header_count(1, "the number of vertices of each");
@@ -129,6 +117,8 @@ Result<EleHeader> read_header(NumberedLines& numbered) {
   if (!attributes) return tl::unexpected(attributes.error());
   return EleHeader{*vertices, *attributes};
 }
+
+namespace {
 
 // No claim is about the attributes, but they have to be numbers. The first one, in which TetGen and
 // Triangle write the region of a simplex, is its label if it is an integer.
@@ -150,12 +140,12 @@ Status read_attributes(const Lines& lines, std::size_t first, std::size_t count,
 
 Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
   NumberedLines numbered(source, "simplex", "simplices");
-  const Result<EleHeader> header = read_header(numbered);
+  const Result<EleHeader> header = read_ele_header(numbered);
   if (!header) return tl::unexpected(header.error());
   const std::size_t k = header->vertices;
   std::string meaning = "an index, " + std::to_string(k) + " vertices";
   if (header->attributes > 0) meaning += ", " + std::to_string(header->attributes) + " attributes";
-  numbered.expect_columns(1 + k + header->attributes, std::move(meaning));
+  numbered.expect_columns(header->columns(), std::move(meaning));
   SimplexFile file;
   file.vertices_per_simplex = k;
   if (k <= numbered.lines().bytes_left()) file.simplices.reserve(numbered.lines_at_most() * k);
@@ -178,7 +168,7 @@ Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
 
 Result<std::vector<Simplex>> read_ele_offsets(const Source& source, std::size_t dimension) {
   NumberedLines numbered(source, "simplex", "simplices");
-  const Result<EleHeader> header = read_header(numbered);
+  const Result<EleHeader> header = read_ele_header(numbered);
   if (!header) return tl::unexpected(header.error());
   const std::size_t expected = header->vertices * dimension;
   if (header->attributes != expected) {
@@ -186,7 +176,7 @@ Result<std::vector<Simplex>> read_ele_offsets(const Source& source, std::size_t 
         std::to_string(expected) + " attributes of each cell, the offset of each corner",
         std::to_string(header->attributes));
   }
-  numbered.expect_columns(1 + header->vertices + expected, "an index, vertices, and offsets");
+  numbered.expect_columns(header->columns(), "an index, vertices, and offsets");
   std::vector<Simplex> offsets;
   while (true) {
     const Result<bool> more = numbered.next();
@@ -278,6 +268,14 @@ void write_face(std::ostream& out, const SimplexFile& file) {
   write_numbered(out, file.first_index, file.simplices.lists());
 }
 
+Result<std::size_t> read_neigh_header(NumberedLines& numbered) {
+  const Status status = numbered.read_header("simplices neighbours-of-each", 2, 2);
+  if (!status) return tl::unexpected(status.error());
+  const Result<std::size_t> k = numbered.header_count(1, "the number of neighbours of each");
+  if (k && *k == 0) return numbered.lines().fail_at(1, "at least 1 neighbour of each");
+  return k;
+}
+
 namespace {
 
 // Requires: the line of the header is the current one.
@@ -298,11 +296,8 @@ Status check_header(const NumberedLines& numbered, std::size_t neighbors,
 Result<NeighborFile> read_neigh(const Source& source,
                                 const std::optional<ListedSimplices>& simplices) {
   NumberedLines numbered(source, "simplex", "simplices");
-  const Status status = numbered.read_header("simplices neighbours-of-each", 2, 2);
-  if (!status) return tl::unexpected(status.error());
-  const Result<std::size_t> k = numbered.header_count(1, "the number of neighbours of each");
+  const Result<std::size_t> k = read_neigh_header(numbered);
   if (!k) return tl::unexpected(k.error());
-  if (*k == 0) return numbered.lines().fail_at(1, "at least 1 neighbour of each");
   if (simplices) {
     const Status agrees = check_header(numbered, *k, *simplices);
     if (!agrees) return tl::unexpected(agrees.error());

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/configuration.hpp"
-#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/numbered_lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
 
@@ -20,6 +21,17 @@ namespace circumspect::formats {
 //
 //     points dimension [attributes [markers]]       markers: 0 or 1
 //     index x y … attributes… [marker]              one line a point
+
+// What the header says. The number of rows is that of the list.
+struct NodeHeader {
+  std::size_t dimension = 0;
+  std::size_t attributes = 0;
+  std::size_t markers = 0;
+
+  std::size_t columns() const { return 1 + dimension + attributes + markers; }
+};
+// `may_be_empty`: without points, nothing else is required.
+Result<NodeHeader> read_node_header(NumberedLines& numbered, bool may_be_empty);
 
 // Points of dimension 1 to kLargestDimension. The first index may be any integer, the others
 // follow one by one; a marker is an integer.
@@ -38,6 +50,14 @@ void write_node(std::ostream& out, const PointFile& file);
 //
 //     simplices k [attributes]                      k: vertices of each
 //     index v0 … v(k-1) attributes…                 one line a simplex
+
+struct EleHeader {
+  std::size_t vertices = 0;
+  std::size_t attributes = 0;
+
+  std::size_t columns() const { return 1 + vertices + attributes; }
+};
+Result<EleHeader> read_ele_header(NumberedLines& numbered);
 
 // The k vertices of each simplex, as written. An .ele file does not say the dimension, so that
 // elements of second order (6 nodes in the plane, 10 in space) are returned with all their nodes.
@@ -81,6 +101,9 @@ struct NeighborFile {
 
   friend bool operator==(const NeighborFile&, const NeighborFile&) = default;
 };
+
+// The number of neighbours of each.
+Result<std::size_t> read_neigh_header(NumberedLines& numbered);
 
 // The simplices whose neighbours a file should list.
 struct ListedSimplices {

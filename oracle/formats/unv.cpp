@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/node_tags.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/voronoi_diagram.hpp"
 

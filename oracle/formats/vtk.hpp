@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
 

@@ -203,19 +203,18 @@ Result<VtuDocument::Stored> VtuDocument::inflate(pugi::xml_node node, std::strin
   }
   std::string_view rest = all->bytes.substr(head_size);
   Stored made_of{std::make_unique<std::string>()};
-  std::string& bytes = *made_of.own;
   for (std::size_t i = 0; i < *blocks; ++i) {
-    const std::string block =
-        "block " + std::to_string(i + 1) + " of " + std::to_string(*blocks) + ", compressed";
     const std::size_t wanted = i + 1 == *blocks ? of_last : whole;
-    const std::size_t begin = bytes.size();
-    bytes.resize(begin + wanted);
-    if (!unpack_(rest.substr(0, sizes[i]), std::span(bytes).subspan(begin))) {
-      return fail(node, block + ", of " + std::to_string(wanted) + " bytes", "other data");
+    made_of.own->resize(made_of.own->size() + wanted);
+    if (!unpack_(rest.substr(0, sizes[i]), std::span(*made_of.own).last(wanted))) {
+      return fail(node,
+                  "block " + std::to_string(i + 1) + " of " + std::to_string(*blocks) +
+                      ", compressed, of " + std::to_string(wanted) + " bytes",
+                  "other data");
     }
     rest.remove_prefix(sizes[i]);
   }
-  made_of.bytes = bytes;
+  made_of.bytes = *made_of.own;
   return made_of;
 }
 

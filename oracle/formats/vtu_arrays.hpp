@@ -11,6 +11,7 @@
 
 #include <pugixml.hpp>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/xml_skeleton.hpp"

@@ -3,7 +3,7 @@
 //     MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0), (2 1, 3 1, 3 2, 2 1)), ((5 0, 6 0, 6 1, 5 0)))
 #pragma once
 
-#include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 

@@ -10,6 +10,7 @@
 
 #include <zlib.h>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/medit.hpp"

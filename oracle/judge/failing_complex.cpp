@@ -13,7 +13,7 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/faults.hpp"
-#include "oracle/judge/verdict_of_faults.hpp"
+#include "oracle/judge/part_of_mesh.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {

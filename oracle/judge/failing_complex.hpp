@@ -1,4 +1,4 @@
-// A fast way to say what is wrong with a mesh of doubles that is no complex.
+// A fast way to say what is wrong with a mesh of doubles that is not a complex.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace circumspect::check {
 
 // The verdict of judge_complex, word for word: the fast engine finds which simplices have to be
 // left out for the others to form a complex, and exact checkers look at these and at all that they
-// may meet. Nothing if it cannot find out, or if the demands ask for more of a mesh that is no
-// complex.
+// may meet. Nothing if it cannot find out, or if the demands ask for more of a mesh that is
+// not a complex.
 // Instances: as of fast::simplex_facts.
 template <std::size_t kDimension, typename Index>
 std::optional<Verdict> failing_complex(const fast::MeshView<kDimension, Index>& mesh,

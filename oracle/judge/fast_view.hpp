@@ -1,10 +1,8 @@
 // A mesh as the fast engine sees it, or why it cannot.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <string_view>
-#include <thread>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -25,11 +23,32 @@ inline tl::unexpected<std::string_view> because(std::string_view reason) {
   return tl::unexpected(reason);
 }
 
-inline unsigned threads_of(const Options& options) {
-  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+// Calls `look(view)` with the simplices as the fast engine sees them, with these numbers for the
+// points, and without neighbours. Returns why it does not see them; empty if it does.
+template <class Look>
+std::string_view look_at_rows(const Mesh& mesh, std::span<const double> coordinates,
+                              std::span<const double> weights, const Look& look) {
+  return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> std::string_view {
+    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+      return "simplices of various sizes";
+    } else {
+      const auto simplices = lists.values();
+      using Index = typename decltype(simplices)::value_type;
+      if (lists.rows() == 0) return description(fast::Undecided::kEmpty);
+      if (lists.columns() != mesh.dimension() + 1) return "simplices of a lower dimension";
+      if (mesh.dimension() == 2) {
+        look(fast::MeshView<2, Index>{coordinates, weights, simplices});
+      } else if (mesh.dimension() == 3) {
+        look(fast::MeshView<3, Index>{coordinates, weights, simplices});
+      } else {
+        return "a dimension other than 2 and 3";
+      }
+      return "";
+    }
+  });
 }
 
-// Calls `answer(view)` with the mesh as the fast engine sees it, without neighbours.
+// What `ask(view)` says of a mesh of doubles, or why it cannot be asked.
 template <class Answer, class Ask>
 OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) {
   const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
@@ -37,27 +56,23 @@ OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) 
   if (coordinates == nullptr || (weighted && weights == nullptr)) {
     return because("a number that is no double");
   }
-  return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> OrReason<Answer> {
-    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
-      return because("simplices of various sizes");
-    } else {
-      const auto simplices = lists.values();
-      using Index = typename decltype(simplices)::value_type;
-      const std::span<const double> counted =
-          weighted ? weights->values() : std::span<const double>();
-      if (lists.rows() == 0) return because(description(fast::Undecided::kEmpty));
-      if (lists.columns() != mesh.dimension() + 1) {
-        return because("simplices of a lower dimension");
-      }
-      if (mesh.dimension() == 2) {
-        return ask(fast::MeshView<2, Index>{coordinates->values(), counted, simplices});
-      }
-      if (mesh.dimension() == 3) {
-        return ask(fast::MeshView<3, Index>{coordinates->values(), counted, simplices});
-      }
-      return because("a dimension other than 2 and 3");
-    }
-  });
+  OrReason<Answer> answer = because("");
+  const std::string_view reason = look_at_rows(
+      mesh, coordinates->values(), weighted ? weights->values() : std::span<const double>(),
+      [&](const auto& view) { answer = ask(view); });
+  if (!reason.empty()) return because(reason);
+  return answer;
+}
+
+// Calls `look(view)` for what depends on the simplices alone, if the fast engine sees them: numbers
+// that are not doubles are zeros in the view.
+template <class Look>
+void look_at_simplices(const Mesh& mesh, const Look& look) {
+  const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
+  std::vector<double> zeros;
+  if (doubles == nullptr) zeros.resize(mesh.points() * mesh.dimension());
+  look_at_rows(mesh, doubles != nullptr ? doubles->values() : std::span<const double>(zeros), {},
+               look);
 }
 
 }  // namespace circumspect::check

@@ -111,7 +111,7 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
   return verdict;
 }
 
-// What is equal breaks a rule of this claim, and is no error.
+// What is equal breaks a rule of this claim, and is not an error.
 Verdict judged_as_complex(const Mesh& mesh, const Options& options) {
   const bool by_definition = options.by == By::kDefinition;
   if (!by_definition) {

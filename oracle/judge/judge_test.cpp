@@ -12,6 +12,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
@@ -209,6 +210,41 @@ TEST_CASE("what the fast engine does not take, and why") {
         "a dimension other than 2 and 3");
 }
 
+using Change = std::function<void(ExactMesh&)>;
+
+// Changes that break a rule each, in the midst of a mesh.
+std::vector<std::pair<Rule, Change>> faults_of(const ExactMesh& good) {
+  const auto n = static_cast<Vertex>(good.points.size());
+  const std::size_t s = good.simplices.size() / 2;
+  return {
+      {Rule::kUnknownVertex, [=](ExactMesh& m) { m.simplices[s][0] = n; }},
+      {Rule::kUnknownVertex, [=](ExactMesh& m) { m.simplices[0][1] = Vertex{-1} << 40; }},
+      {Rule::kRepeatedVertex, [=](ExactMesh& m) { m.simplices[s][0] = m.simplices[s][1]; }},
+      {Rule::kDuplicateSimplex,
+       [=](ExactMesh& m) {
+         m.simplices.push_back(m.simplices[s]);
+         std::swap(m.simplices.back()[0], m.simplices.back()[1]);
+       }},
+      {Rule::kOverlap,
+       [=](ExactMesh& m) {
+         std::vector<Point> points = m.points.points();
+         points[static_cast<std::size_t>(n) / 2 + 3][0] += Rational(9) / 8;
+         m.points = PointSet(points);
+       }},
+      {Rule::kHullNotConvex,
+       [=](ExactMesh& m) {
+         m.simplices.erase(m.simplices.begin() + static_cast<std::ptrdiff_t>(s));
+       }},
+      {Rule::kUnusedPoint,
+       [=](ExactMesh& m) {
+         std::vector<Point> points = m.points.points();
+         points.push_back(points[0]);
+         points.back()[0] -= Rational(1) / 8;
+         m.points = PointSet(points);
+       }},
+  };
+}
+
 // Each fault by itself and all of them together, in the midst of a mesh that is large enough for
 // several chunks.
 TEST_CASE(
@@ -216,36 +252,6 @@ TEST_CASE(
   for (const std::size_t dimension : {2u, 3u}) {
     const ExactMesh good = shaken_grid(dimension, dimension == 2 ? 50 : 10, false, 0);
     REQUIRE(good.simplices.size() > 4000);
-    const auto n = static_cast<Vertex>(good.points.size());
-    const std::size_t s = good.simplices.size() / 2;
-    using Change = std::function<void(ExactMesh&)>;
-    const std::vector<std::pair<Rule, Change>> faults = {
-        {Rule::kUnknownVertex, [&](ExactMesh& m) { m.simplices[s][0] = n; }},
-        {Rule::kUnknownVertex, [&](ExactMesh& m) { m.simplices[0][1] = Vertex{-1} << 40; }},
-        {Rule::kRepeatedVertex, [&](ExactMesh& m) { m.simplices[s][0] = m.simplices[s][1]; }},
-        {Rule::kDuplicateSimplex,
-         [&](ExactMesh& m) {
-           m.simplices.push_back(m.simplices[s]);
-           std::swap(m.simplices.back()[0], m.simplices.back()[1]);
-         }},
-        {Rule::kOverlap,
-         [&](ExactMesh& m) {
-           std::vector<Point> points = m.points.points();
-           points[static_cast<std::size_t>(n) / 2 + 3][0] += Rational(9) / 8;
-           m.points = PointSet(points);
-         }},
-        {Rule::kHullNotConvex,
-         [&](ExactMesh& m) {
-           m.simplices.erase(m.simplices.begin() + static_cast<std::ptrdiff_t>(s));
-         }},
-        {Rule::kUnusedPoint,
-         [&](ExactMesh& m) {
-           std::vector<Point> points = m.points.points();
-           points.push_back(points[0]);
-           points.back()[0] -= Rational(1) / 8;
-           m.points = PointSet(points);
-         }},
-    };
     ExactMesh all = good;
     int asked = 0;
     const auto check_fast = [&asked](const ExactMesh& mesh, std::optional<Rule> rule) {
@@ -261,7 +267,7 @@ TEST_CASE(
         }
       }
     };
-    for (const auto& fault : faults) {
+    for (const auto& fault : faults_of(good)) {
       const Rule rule = fault.first;
       CAPTURE(identifier(rule));
       ExactMesh mesh = good;
@@ -279,11 +285,11 @@ TEST_CASE("neighbours that are wrong are found fast, beside facets that are not 
     for (const Vertex first : {Vertex{0}, Vertex{1}}) {
       std::vector<std::vector<Vertex>> rows(mesh.simplices.size(),
                                             std::vector<Vertex>(dimension + 1, -1));
-      for_each_facet(facet_uses(mesh.simplices), [&](std::span<const FacetUse> uses) {
-        if (uses.size() != 2) return;
+      for (const auto uses : ByFacet(facet_uses(mesh.simplices))) {
+        if (uses.size() != 2) continue;
         rows[uses[0].simplex][uses[0].opposite] = static_cast<Vertex>(uses[1].simplex) + first;
         rows[uses[1].simplex][uses[1].opposite] = static_cast<Vertex>(uses[0].simplex) + first;
-      });
+      }
       for (const Vertex wrong : {Vertex{-1}, Vertex{-2}, Vertex{7}, Vertex{1} << 20}) {
         rows[9][1] = wrong;
         mesh.neighbors = Neighbors{rows, first};

@@ -19,7 +19,7 @@ struct PointsOfDoubles {
   const Rows<double>& weights;  // none, or one a point
 };
 
-// None if a number is no double.
+// None if a number is not a double.
 std::optional<PointsOfDoubles> points_of_doubles(const Mesh& mesh) {
   const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
   const auto* const weights = std::get_if<Rows<double>>(&mesh.weights);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/judge/fast/facet_records.hpp"
+#include "oracle/judge/part_of_mesh.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 #include "oracle/judge/ridges_retold.hpp"

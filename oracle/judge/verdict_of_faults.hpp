@@ -2,118 +2,27 @@
 // judge_points() on it.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "kernel/complex/simplex.hpp"
-#include "oracle/judge/definition/complex.hpp"
 #include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/delaunay.hpp"
-#include "oracle/model/exact_mesh.hpp"
-#include "oracle/model/index_lists.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
 
-// A part of a mesh in arrays, for the exact checkers to say what is wrong with it.
-
-// Some of its simplices, with their vertices and some further points, all in their order. An
-// index that names no point of the whole stays what it is, and names none of the part.
-template <std::size_t kDimension, typename Index>
-class Part {
- public:
-  Part(const fast::MeshView<kDimension, Index>& whole, std::vector<std::size_t> simplices,
-       const std::vector<std::size_t>& further_points)
-      : whole_(whole), simplices_(std::move(simplices)), place_of_(whole.points(), kNone) {
-    std::sort(simplices_.begin(), simplices_.end());
-    simplices_.erase(std::unique(simplices_.begin(), simplices_.end()), simplices_.end());
-    for (const std::size_t s : simplices_) {
-      for (const Index v : whole_.row(s)) {
-        if (whole_.names_point(v)) place_of_[static_cast<std::size_t>(v)] = 0;
-      }
-    }
-    for (const std::size_t v : further_points) place_of_[v] = 0;
-    for (std::size_t v = 0; v < place_of_.size(); ++v) {
-      if (place_of_[v] == kNone) continue;
-      place_of_[v] = static_cast<Vertex>(vertices_.size());
-      vertices_.push_back(static_cast<Vertex>(v));
-    }
-  }
-
-  ExactMesh mesh(bool weighted) const {
-    std::vector<Rational> weights;
-    for (const Vertex v : vertices_) {
-      if (weighted) weights.push_back(exact_value(whole_.weights[static_cast<std::size_t>(v)]));
-    }
-    definition::ListedComplex all = listed();
-    return {PointSet(std::move(all.points), std::move(weights)), std::move(all.simplices)};
-  }
-
-  // The same, of points that may be equal.
-  definition::ListedComplex listed() const {
-    definition::ListedComplex part;
-    for (const Vertex v : vertices_) {
-      Point& point = part.points.emplace_back();
-      for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        const auto place = static_cast<std::size_t>(v) * kDimension + axis;
-        point.push_back(exact_value(whole_.coordinates[place]));
-      }
-    }
-    for (const std::size_t s : simplices_) {
-      Simplex& simplex = part.simplices.emplace_back();
-      for (const Index v : whole_.row(s)) simplex.push_back(place_of(v));
-    }
-    return part;
-  }
-
-  // Where in the whole they are, ascending.
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<std::size_t>& simplices() const { return simplices_; }
-
-  // As the part numbers points and simplices. Requires: it has the simplex.
-  Vertex place_of(Vertex v) const {
-    return whole_.names_point(static_cast<Index>(v)) ? place_of_[static_cast<std::size_t>(v)] : v;
-  }
-  std::size_t place_of_simplex(std::size_t s) const {
-    return static_cast<std::size_t>(std::lower_bound(simplices_.begin(), simplices_.end(), s) -
-                                    simplices_.begin());
-  }
-  FacetUse use_of(fast::FacetId facet) const {
-    FacetUse use{{}, place_of_simplex(facet.simplex()), facet.place()};
-    for (std::size_t i = 0; i <= kDimension; ++i) {
-      if (i != facet.place()) use.facet.push_back(place_of(whole_.row(facet.simplex())[i]));
-    }
-    std::sort(use.facet.begin(), use.facet.end());
-    return use;
-  }
-
- private:
-  static constexpr Vertex kNone = -1;
-
-  const fast::MeshView<kDimension, Index>& whole_;
-  std::vector<std::size_t> simplices_;
-  std::vector<Vertex> vertices_;
-  std::vector<Vertex> place_of_;  // of each point of the whole, in the part
-};
-
-// Facets of a mesh in arrays, as the checkers name them.
-
-// The answer is in no particular order. One pass over the mesh, and time for each facet.
-// Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the mesh is a
-// triangulation, and each of the facets is in two of its simplices and named once.
+// Facets of a mesh in arrays, as the checkers name them, in no particular order. One pass over the
+// mesh, and time for each facet. Instances: dimensions 2 and 3; std::int32_t and std::int64_t.
+// Requires: the mesh is a triangulation, and each of the facets is in two of its simplices and
+// named once.
 template <std::size_t kDimension, typename Index>
 std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& mesh,
                                        std::span<const fast::FacetId> facets);
-
-// From what the fast engine knows of a mesh to the verdict that judge_points() gives on it.
 
 // What judge_points() says of the mesh, word for word; the facets that are not locally Delaunay are
 // asked again, exactly, on no more of the mesh than they need. Throws std::logic_error if the facts
@@ -126,8 +35,8 @@ Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& m
 // What judge_points() says of the mesh, word for word: the exact checkers look again, in their
 // order, at the places that are at fault, on no more of the mesh than they need. `neighbors`: those
 // that the mesh lists, if it does.
-// Nothing if the faults do not tell: weighted points of a triangulation that are no vertices,
-// neighbours that are no rows of a simplex's width, or no fault at all.
+// Nothing if the faults do not tell: weighted points of a triangulation that are not vertices,
+// neighbours that are not rows of a simplex's width, or no fault at all.
 // Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the faults are those that
 // fast::faults finds for the claim.
 template <std::size_t kDimension, typename Index>

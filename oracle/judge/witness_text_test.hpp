@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "kernel/complex/circumball.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 

@@ -13,7 +13,7 @@ enum class Claim {
   kComplex,  // nothing of a hull, of balls, of a domain
   kConvexHull,
   kSurfaceDelaunay,
-  kVoronoi,           // of cells, which are no mesh
+  kVoronoi,           // of cells, which are not a mesh
   kPeriodicDelaunay,  // of a mesh that a lattice repeats
   // About a mesh and a domain.
   kPlcTriangulation,

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "kernel/exact/angle.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect {
 namespace {

@@ -1,7 +1,9 @@
 // How a claim about a mesh is judged, and what is demanded beside it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <thread>
 
 #include "oracle/model/complex_demands.hpp"
 #include "oracle/model/hull_demands.hpp"
@@ -25,5 +27,9 @@ struct Options {
   // has. The answer is the same for any number.
   unsigned threads = 0;
 };
+
+inline unsigned threads_of(const Options& options) {
+  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+}
 
 }  // namespace circumspect::check

@@ -20,8 +20,6 @@ Simplex named_by(const Witness& witness) {
     all.insert(all.end(), simplex.begin(), simplex.end());
   }
   if (witness.face) all.insert(all.end(), witness.face->begin(), witness.face->end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
@@ -54,7 +52,9 @@ void Verdict::name_in_whole(const std::vector<Vertex>& vertex_of,
   for (auto& [rule, tally] : tallies_) rename(vertex_of, tally.in_all);
 }
 
-void Verdict::count(Rule rule, const std::optional<Rational>& margin, const Simplex& named) {
+void Verdict::count(Rule rule, const std::optional<Rational>& margin, Simplex named) {
+  std::sort(named.begin(), named.end());
+  named.erase(std::unique(named.begin(), named.end()), named.end());
   Tally& tally = tallies_[rule];
   if (tally.count == 0) {
     tally.in_all = named;

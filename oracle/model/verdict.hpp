@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/claim.hpp"
@@ -178,10 +179,9 @@ class Verdict {
   bool keeps_more() const { return max_violations_ == 0 || violations_.size() < max_violations_; }
   // How many violations are kept; 0: all.
   std::size_t max_violations() const { return max_violations_; }
-  // Counts a violation whose witness is not kept; `named`: the vertices that it would name, if they
-  // are known.
-  void count(Rule rule, const std::optional<Rational>& margin = std::nullopt,
-             const Simplex& named = {});
+  // Counts a violation whose witness is not kept; `named`: the vertices that it would name, in any
+  // order, if they are known.
+  void count(Rule rule, const std::optional<Rational>& margin = std::nullopt, Simplex named = {});
   // After judging a part of a mesh: renames the vertices and simplices of the witnesses as in the
   // whole mesh. The arguments give, for each vertex and simplex of the part, its place in the
   // whole, ascending. Requires: everything that is named is in the part, except indices that name

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/picture/picture.hpp"
 
 namespace circumspect::picture {

@@ -19,7 +19,7 @@ namespace circumspect::picture {
 // As many violations have a card, with their pictures: pages stay small enough to be sent.
 inline constexpr std::size_t kMostCards = 100;
 
-// What a command finds that is no verdict.
+// What a command finds that is not a verdict.
 struct Facts {
   std::string heading;  // what they are about: the name of a file
   std::string line;     // the last line that the command prints of it

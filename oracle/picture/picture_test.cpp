@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <pugixml.hpp>
 
+#include "kernel/complex/circumball.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/vtu.hpp"
 #include "oracle/judge/points/check.hpp"

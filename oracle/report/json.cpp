@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kernel/complex/circumball.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/model/printable.hpp"
 
 namespace circumspect::report {

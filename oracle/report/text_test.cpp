@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"

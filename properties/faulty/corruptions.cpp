@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -44,9 +45,9 @@ Fault by(std::string name, std::string about, const Spoil& spoil) {
 // How many facets of each simplex are on the boundary.
 std::vector<std::size_t> hull_facets(const Simplices& simplices) {
   std::vector<std::size_t> count(simplices.size());
-  for_each_facet(facet_uses(simplices), [&count](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
     if (uses.size() == 1) ++count[uses[0].simplex];
-  });
+  }
   return count;
 }
 
@@ -99,9 +100,9 @@ void add_upper_hull(const PointSet& points, Simplices& simplices) {
 // Two facets of the hull in one plane that share a ridge: the flat simplex of their vertices.
 void add_flat_simplex(const PointSet& points, Simplices& simplices) {
   Simplices hull;
-  for_each_facet(facet_uses(simplices), [&hull](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
     if (uses.size() == 1) hull.push_back(uses[0].facet);
-  });
+  }
   for (std::size_t a = 0; a < hull.size(); ++a) {
     for (std::size_t b = a + 1; b < hull.size(); ++b) {
       std::set<Vertex> both(hull[a].begin(), hull[a].end());
@@ -130,23 +131,23 @@ void fold_at_the_hull(const PointSet& points, Simplices& simplices) {
       }
     }
   };
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
     if (uses.size() == 1 && folded.empty()) apex_for(uses[0]);
-  });
+  }
   simplices.insert(simplices.end(), folded.begin(), folded.end());
 }
 
 // Of two neighbours on one sphere only the first is written.
 void cut_cospherical_cells_short(const PointSet& points, Simplices& simplices) {
   std::set<std::size_t> dropped;
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> uses) {
-    if (uses.size() < 2) return;
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
+    if (uses.size() < 2) continue;
     const auto [one, other] = std::minmax(uses[0].simplex, uses[1].simplex);
     const FacetUse& far = uses[0].simplex == other ? uses[0] : uses[1];
     if (in_ball(points.configuration(), simplices[one], simplices[other][far.opposite]) == 0) {
       dropped.insert(other);
     }
-  });
+  }
   Simplices kept;
   for (std::size_t i = 0; i < simplices.size(); ++i) {
     if (!dropped.contains(i)) kept.push_back(simplices[i]);
@@ -191,9 +192,9 @@ void mix_orientations(const PointSet& points, Simplices& simplices) {
 // Some vertex that is not on the hull, if there is one.
 std::optional<Vertex> inner_vertex(const PointSet& points, const Simplices& simplices) {
   std::set<Vertex> outer;
-  for_each_facet(facet_uses(simplices), [&outer](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
     if (uses.size() == 1) outer.insert(uses[0].facet.begin(), uses[0].facet.end());
-  });
+  }
   for (Vertex v = 0; points.names(v); ++v) {
     if (!outer.contains(v)) return v;
   }

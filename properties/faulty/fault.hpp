@@ -73,7 +73,7 @@ inline Fault domain_fault(std::string name, std::string about, Claim claim, Doma
 // A constrained Delaunay triangulation, with its dangling faces; nothing if there is none.
 std::optional<ExactMesh> cdt_mesh(const PiecewiseLinearComplex& complex);
 
-// The same of an input; nothing also if that is no domain of Definition 4.3.
+// The same of an input; nothing also if that is not a domain of Definition 4.3.
 std::optional<ExactMesh> cdt_of(const PiecewiseLinearInput& input);
 
 // One of the complex with its segments split until they are strongly Delaunay.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
@@ -221,10 +222,10 @@ void PlainDelaunay::fill(const std::vector<bool>& deleted, Vertex u) {
     if (!deleted[i] && i < stamps_.size()) stamps.push_back(stamps_[i]);
   }
   stamps_ = std::move(stamps);
-  for_each_facet(facet_uses(cavity), [&](std::span<const FacetUse> uses) {
-    if (uses.size() > 1) return;
+  for (const auto uses : ByFacet(facet_uses(cavity))) {
+    if (uses.size() > 1) continue;
     kept.push_back(with_vertex_replaced(cavity[uses[0].simplex], uses[0].opposite, u));
-  });
+  }
   simplices_ = std::move(kept);
 }
 

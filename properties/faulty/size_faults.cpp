@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "properties/faulty/fault.hpp"
@@ -30,16 +31,17 @@ SimplexArray unflipped_between_blocks(const PointArray& points) {
   if (set.dimension() < 2 || simplices.size() <= kBlock) return right;
   StarIndex mesh(simplices);
   std::optional<delaunay::ExtendedFlip> undone;
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> uses) {
-    if (undone || uses.size() < 2) return;
+  for (const auto uses : ByFacet(facet_uses(simplices))) {
+    if (undone) break;
+    if (uses.size() < 2) continue;
     const auto [one, other] = std::pair(uses[0], uses[1]);
-    if (one.simplex / kBlock == other.simplex / kBlock) return;
+    if (one.simplex / kBlock == other.simplex / kBlock) continue;
     const Vertex apex = simplices[other.simplex][other.opposite];
-    if (in_ball(set.configuration(), simplices[one.simplex], apex) == 0) return;
+    if (in_ball(set.configuration(), simplices[one.simplex], apex) == 0) continue;
     auto flip =
         delaunay::extended_flip(mesh, delaunay::flip_of_facet(set, mesh, sorted(one.facet)));
     if (flip && flip->deleted.size() == 2) undone = *flip;
-  });
+  }
   if (!undone) return right;
   mesh.replace(undone->deleted, undone->created);
   return SimplexArray(mesh.simplices().begin(), mesh.simplices().end());

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <utility>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 
 namespace circumspect::properties {
@@ -73,9 +74,9 @@ Mutant exchange_between_two(Simplices simplices) {
 // facet's ridges.
 Mutant flip_a_facet(Simplices simplices) {
   std::vector<std::pair<FacetUse, FacetUse>> interior;
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(facet_uses(simplices))) {
     if (group.size() == 2) interior.emplace_back(group[0], group[1]);
-  });
+  }
   if (interior.empty()) return list_one_twice(std::move(simplices));
   const auto& [first, second] = interior[any_place(interior.size())];
   const Vertex apex = simplices[first.simplex][first.opposite];

@@ -5,9 +5,10 @@
 #include <cassert>
 #include <iterator>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
-#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/clear_apex.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/flip_algorithm.hpp"
@@ -161,12 +162,12 @@ Cavity cavity_of(const PointSet& points, const std::vector<std::size_t>& axes,
   cavity.axes = axes;
   std::vector<Simplex> positive;
   for (const Simplex& simplex : deleted) positive.push_back(oriented(points, axes, simplex));
-  for_each_facet(facet_uses(positive), [&](std::span<const FacetUse> uses) {
-    if (uses.size() == 2 && !walls.contains(uses.front().facet)) return;
+  for (const auto uses : ByFacet(facet_uses(positive))) {
+    if (uses.size() == 2 && !walls.contains(uses.front().facet)) continue;
     for (const FacetUse& use : uses) {
       cavity.facets.add(OrientedFacet::opposite(positive[use.simplex], use.opposite));
     }
-  });
+  }
   const std::set<Vertex> vertices = vertices_of(deleted);
   cavity.candidates.assign(vertices.begin(), vertices.end());
   return cavity;

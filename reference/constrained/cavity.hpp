@@ -10,7 +10,7 @@
 
 #include "kernel/complex/star_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::constrained {

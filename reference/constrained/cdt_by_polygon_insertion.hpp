@@ -9,6 +9,7 @@
 
 #include "kernel/exact/progress.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/flip_insert_polygon.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 

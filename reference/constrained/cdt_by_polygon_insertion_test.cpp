@@ -7,6 +7,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 

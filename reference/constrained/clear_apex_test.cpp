@@ -1,9 +1,9 @@
 // What reaches into a simplex. Book: Section 5.6.
+#include "reference/constrained/clear_apex.hpp"
+
 #include <array>
 
 #include <doctest/doctest.h>
-
-#include "reference/constrained/gift_wrapping_cdt.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "kernel/complex/circumball.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

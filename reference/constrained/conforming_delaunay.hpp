@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"

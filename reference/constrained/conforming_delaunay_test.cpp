@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 

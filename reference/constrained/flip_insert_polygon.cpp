@@ -14,9 +14,9 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "reference/constrained/cavity.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/flip.hpp"
 
 namespace circumspect::constrained {

@@ -11,7 +11,7 @@
 
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/cavity.hpp"
-#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/delaunay/flip.hpp"
 
 namespace circumspect::constrained {

@@ -6,8 +6,8 @@
 #include "inputs/named_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/constrained/plc_triangulation.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 

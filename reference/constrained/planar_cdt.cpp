@@ -11,7 +11,7 @@
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
-#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/clear_apex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/split_segments.hpp"
 #include "reference/constrained/steiner_cdt.hpp"

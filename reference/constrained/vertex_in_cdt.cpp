@@ -4,6 +4,7 @@
 #include <cassert>
 #include <map>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
@@ -66,11 +67,10 @@ class VertexInsertion {
     for (const Simplex& tetrahedron : change_.deleted) {
       positive.push_back(positively_oriented(points_, tetrahedron));
     }
-    std::optional<NoChange> wrong;
-    for_each_facet(facet_uses(positive), [&](std::span<const FacetUse> uses) {
+    for (const auto uses : ByFacet(facet_uses(positive))) {
       const Simplex& facet = uses.front().facet;
       const bool is_wall = cdt_.walls.contains(facet);
-      if (wrong || (uses.size() == 2 && !is_wall)) return;
+      if (uses.size() == 2 && !is_wall) continue;
       const OrientedFacet inward =
           OrientedFacet::opposite(positive[uses.front().simplex], uses.front().opposite);
       const int side = orientation(points_.configuration(), join(inward, v_));
@@ -78,14 +78,14 @@ class VertexInsertion {
       if (side == 0 && (uses.size() == 2 || is_of_hull)) {
         if (is_wall) change_.walls_removed.insert(facet);
       } else if (uses.size() == 2) {
-        wrong = NoChange{WhyNoChange::kPolygonInCavity, facet};
+        return NoChange{WhyNoChange::kPolygonInCavity, facet};
       } else if (side <= 0) {
-        wrong = NoChange{WhyNoChange::kNotStarShaped, facet};
+        return NoChange{WhyNoChange::kNotStarShaped, facet};
       } else {
         border_.push_back(inward);
       }
-    });
-    return wrong;
+    }
+    return std::nullopt;
   }
 
   // Is v beyond a facet of the convex hull?

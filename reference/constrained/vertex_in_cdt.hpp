@@ -2,7 +2,7 @@
 // Section 5.6.
 #pragma once
 
-#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
 
 namespace circumspect::constrained {
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/number.hpp"
@@ -29,11 +30,11 @@ class Cavity {
 
   Cavity(const Insertion& insertion, const SimplexDictionary& triangulation)
       : simplices_(insertion.deleted), sides_(simplices_.size()) {
-    for_each_facet(facet_uses(simplices_), [&](std::span<const FacetUse> group) {
+    for (const auto group : ByFacet(facet_uses(simplices_))) {
       if (group.size() == 2) {
         sides_[group[0].simplex].push_back({.deleted = group[1].simplex, .created{}, .beyond{}});
         sides_[group[1].simplex].push_back({.deleted = group[0].simplex, .created{}, .beyond{}});
-        return;
+        continue;
       }
       const auto [ascending, owner, opposite] = group[0];
       const OrientedFacet facet = OrientedFacet::opposite(simplices_[owner], opposite);
@@ -41,7 +42,7 @@ class Cavity {
       sides_[owner].push_back({.deleted = std::nullopt,
                                .created = join(facet, insertion.vertex),
                                .beyond = join(facet.reverse(), beyond)});
-    });
+    }
   }
 
   std::size_t size() const { return simplices_.size(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/complex/triangulation.hpp"
@@ -37,16 +38,15 @@ std::optional<Simplex> cospherical_points(const PointSet& points) {
 
 std::optional<Simplex> cospherical_points_of_an_empty_ball(const PointSet& points,
                                                            const Triangulation& triangulation) {
-  std::optional<Simplex> found;
-  for_each_facet(facet_uses(triangulation.simplices()), [&](std::span<const FacetUse> group) {
-    if (found || group.size() != 2) return;
+  for (const auto group : ByFacet(facet_uses(triangulation.simplices()))) {
+    if (group.size() != 2) continue;
     Simplex simplex = triangulation.simplices()[group[0].simplex];
     const Vertex apex = triangulation.simplices()[group[1].simplex][group[1].opposite];
-    if (in_ball(points.configuration(), simplex, apex) != 0) return;
+    if (in_ball(points.configuration(), simplex, apex) != 0) continue;
     simplex.push_back(apex);
-    found = sorted(simplex);
-  });
-  return found;
+    return sorted(simplex);
+  }
+  return std::nullopt;
 }
 
 }  // namespace circumspect::delaunay

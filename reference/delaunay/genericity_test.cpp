@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/plain_algebra.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/run.hpp"

@@ -25,9 +25,9 @@ struct CellFacet {
   int front;
 };
 
-int side(const PointSet& points, const std::vector<std::size_t>& axes, Simplex basis, Vertex q) {
-  basis.push_back(q);
-  return orientation(points.configuration(), axes, basis);
+int side(const PointSet& points, const std::vector<std::size_t>& axes, const Simplex& basis,
+         Vertex q) {
+  return side_of_facet(points.configuration(), axes, basis, q);
 }
 
 // The side of the facet on which the other points of a cell are.

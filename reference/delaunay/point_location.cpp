@@ -42,9 +42,7 @@ bool is_in_unperturbed_conflict(const PointSet& points, const Simplex& simplex, 
   const auto ghost = std::find(simplex.begin(), simplex.end(), kGhost);
   if (ghost == simplex.end()) return in_ball(configuration, simplex, q) > 0;
   auto [facet, outward] = hull_facet(simplex, ghost);
-  Simplex with_q = facet;
-  with_q.push_back(q);
-  const int side = orientation(configuration, with_q);
+  const int side = side_of_facet(configuration, facet, q);
   if (side != 0) return side == outward;
   return in_ball(configuration, axes_of(configuration, facet), facet, q) > 0;
 }

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "properties/arguments/laws.hpp"
 

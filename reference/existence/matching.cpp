@@ -104,9 +104,7 @@ class Matching {
 
  private:
   int side(const Simplex& facet, Vertex v) const {
-    Simplex simplex = facet;
-    simplex.push_back(v);
-    return orientation(complex_.points.configuration(), kSpace, simplex);
+    return side_of_facet(complex_.points.configuration(), kSpace, facet, v);
   }
 
   void at_most_one(const std::vector<Literal>& tetrahedra) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/linear_algebra.hpp"
@@ -121,9 +122,8 @@ class ExhaustiveSearch {
     return all;
   }
 
-  int side_of(Simplex facet, Vertex q) const {
-    facet.push_back(q);
-    return orientation(points_.configuration(), facet);
+  int side_of(const Simplex& facet, Vertex q) const {
+    return side_of_facet(points_.configuration(), facet, q);
   }
 
   // Does the convex hull of the points extend beyond this side of a facet?

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <optional>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "reference/optimality/all_triangulations.hpp"

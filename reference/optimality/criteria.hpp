@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/triangulation.hpp"
 

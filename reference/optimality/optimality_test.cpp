@@ -1,6 +1,7 @@
 // What Delaunay triangulations optimise, and all triangulations of a set.
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 
 namespace circumspect::formats {
@@ -34,7 +35,7 @@ void MixedText::begin_section() {
 std::string_view MixedText::peek() {
   skip_blanks();
   std::size_t end = at_;
-  while (end < text_.size() && !is_blank(text_[end])) ++end;
+  while (end < text_.size() && !is_space(text_[end])) ++end;
   return text_.substr(at_, end - at_);
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/binary.hpp"
 #include "oracle/formats/bytes/indices.hpp"
@@ -121,10 +122,9 @@ class MixedText {
   tl::unexpected<FormatError> fail_at_word(std::string expected) const;
 
  private:
-  static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-  static bool ends_word(const char* at, const char* end) { return at == end || is_blank(*at); }
+  static bool ends_word(const char* at, const char* end) { return at == end || is_space(*at); }
   void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) line_ += text_[at_++] == '\n' ? 1 : 0;
+    while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n' ? 1 : 0;
   }
   // A word of so many bytes has been read.
   void took(std::size_t size) {

@@ -12,6 +12,10 @@
 
 namespace circumspect::formats {
 
+// What separates tokens: a space, or one of tab, line feed, vertical tab, form feed and carriage
+// return, which are consecutive.
+constexpr bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
 // Numbers of more characters are refused, because exact arithmetic on them would take too long.
 // Every double has a shorter exact decimal.
 inline constexpr std::size_t kLongestNumber = 10000;

@@ -1,5 +1,5 @@
 // Points of one dimension in one piece of memory: doubles, and exact numbers only from the first
-// number on that is no double.
+// number on that is not a double.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include <circumspect/check.hpp>
 #include <circumspect/judgement.hpp>
@@ -29,12 +27,11 @@ Verdict verdict_on(Claim claim, Mesh& mesh, const JudgeOptions& options) {
         "expected a mesh, found neither points nor simplices, as where a program made nothing; to "
         "judge an empty mesh, set allow_empty");
   }
-  const unsigned threads =
-      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  const check::Options own{.threads = options.threads};
   if (options.merge_equal_points) {
-    return check::judge(claim, check::Merging{mesh}, nullptr, {.threads = threads});
+    return check::judge(claim, check::Merging{mesh}, nullptr, own);
   }
-  auto verdict = check::judge(claim, mesh, nullptr, {.threads = threads});
+  auto verdict = check::judge(claim, mesh, nullptr, own);
   if (verdict) return *std::move(verdict);
   const auto& repeated = verdict.error().repeated;
   throw std::invalid_argument(report::fault_of_equal_points(
@@ -94,8 +91,7 @@ MeshJudgement judged(const std::string& claim, const MeshArrays<Index>& arrays,
                      const JudgeOptions& options) {
   const Claim known = arrays::claim_named(claim);
   require_lengths(arrays);
-  const unsigned threads =
-      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = check::threads_of({.threads = options.threads});
   if (!fast::are_finite(arrays.coordinates, threads) ||
       !fast::are_finite(arrays.weights, threads)) {
     throw std::invalid_argument("expected finite coordinates and weights, found another");

@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "kernel/predicates/orientation.hpp"
-#include "oracle/judge/cause/rows_of.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
+#include "oracle/judge/fast_view.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -27,8 +27,8 @@ int orientation_of_doubles(std::span<const double> coordinates, const Simplex& p
 
 std::vector<BareFacet> bare_facets(const Mesh& mesh) {
   std::vector<BareFacet> found;
-  look_at_rows(mesh, [&]<std::size_t kDimension, class Index>(
-                         const fast::MeshView<kDimension, Index>& view) {
+  look_at_simplices(mesh, [&]<std::size_t kDimension, class Index>(
+                              const fast::MeshView<kDimension, Index>& view) {
     constexpr std::size_t kVertices = kDimension + 1;
     const auto links = fast::matched_facets(view, 1, fast::Proposal::kLikely);
     if (!links) return;

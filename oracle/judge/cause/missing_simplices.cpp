@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
@@ -76,7 +77,7 @@ class Holes {
   void join() {
     std::vector<Simplex> facets;
     for (const BareFacet& one : bare_) facets.push_back(one.facet);
-    for_each_facet(facet_uses(facets), [&](std::span<const FacetUse> group) {
+    for (const auto group : ByFacet(facet_uses(facets))) {
       for (std::size_t i = 0; i < group.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           const BareFacet &a = bare_[group[i].simplex], &b = bare_[group[j].simplex];
@@ -88,7 +89,7 @@ class Holes {
           pairs_.insert(sorted(std::move(simplex)));
         }
       }
-    });
+    }
   }
 
   bool has_bare_facets(const Simplex& simplex) const {
@@ -152,10 +153,8 @@ Cause at_holes(const Case& of, const std::string& words, const std::vector<Simpl
   Cause cause{"missing-simplex", words, 0, listed.size(), listed.size() < of.violations()};
   for (const Violation& violation : listed) {
     const auto& face = violation.witness.face;
-    const bool is_there =
-        face && std::any_of(missing.begin(), missing.end(), [&](const Simplex& s) {
-          return std::all_of(face->begin(), face->end(), [&](Vertex v) { return contains(s, v); });
-        });
+    const bool is_there = face && std::any_of(missing.begin(), missing.end(),
+                                              [&](const Simplex& s) { return has_face(s, *face); });
     cause.explains += is_there ? 1 : 0;
   }
   return cause;

@@ -1,5 +1,5 @@
 // Lists that were read otherwise than they were meant: indices that begin at another number, and
-// columns that are no indices or no coordinates.
+// columns that are neither indices nor coordinates.
 #include <algorithm>
 #include <set>
 

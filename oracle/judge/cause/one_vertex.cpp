@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
-#include "oracle/judge/cause/rows_of.hpp"
+#include "oracle/judge/fast_view.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::check {
@@ -32,7 +33,7 @@ bool is_about_places(Rule rule) {
 class Star {
  public:
   Star(const Mesh& mesh, Vertex vertex) : mesh_(mesh), vertex_(vertex) {
-    look_at_rows(mesh, [&](const auto& view) {
+    look_at_simplices(mesh, [&](const auto& view) {
       for (std::size_t s = 0; s < view.size(); ++s) {
         const auto row = view.row(s);
         const auto at = std::find(row.begin(), row.end(), vertex);
@@ -127,7 +128,7 @@ Named named_by_most(const Verdict& verdict) {
 // How many simplices have all of these vertices.
 std::size_t simplices_with(const Mesh& mesh, const Simplex& vertices) {
   std::size_t count = 0;
-  look_at_rows(mesh, [&](const auto& view) {
+  look_at_simplices(mesh, [&](const auto& view) {
     for (std::size_t s = 0; s < view.size(); ++s) {
       const auto row = view.row(s);
       const bool has_all = std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {

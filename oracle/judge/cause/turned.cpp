@@ -7,8 +7,8 @@
 
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
-#include "oracle/judge/cause/rows_of.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
+#include "oracle/judge/fast_view.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::check {
@@ -108,8 +108,8 @@ class Parts {
 
 Turned turned_against_neighbours(const Mesh& mesh) {
   Turned found;
-  look_at_rows(mesh, [&]<std::size_t kDimension, class Index>(
-                         const fast::MeshView<kDimension, Index>& view) {
+  look_at_simplices(mesh, [&]<std::size_t kDimension, class Index>(
+                              const fast::MeshView<kDimension, Index>& view) {
     const auto links = fast::matched_facets(view, 1);
     if (links && links->overused.empty()) found = Parts(mesh, view, *links).turned();
   });

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 
 namespace circumspect::check {
@@ -16,13 +17,13 @@ class Stars {
  public:
   Stars(const std::vector<Simplex>& simplices, const std::vector<FacetUse>& uses)
       : simplices_(simplices), joined_(simplices.empty() ? 0 : simplices.size() * size()) {
-    for_each_facet(uses, [&](Uses group) {
+    for (const auto group : ByFacet(uses)) {
       for (std::size_t i = 1; i < group.size(); ++i) {
         for (const Vertex v : group[0].facet) {
           joined_.unite(place(group[0].simplex, v), place(group[i].simplex, v));
         }
       }
-    });
+    }
   }
 
   // In how many parts the simplices at each vertex are.
@@ -63,18 +64,18 @@ void add_vertices(const std::vector<Simplex>& faces, std::set<Vertex>& vertices)
 
 std::vector<Simplex> open_facets(const std::vector<FacetUse>& uses) {
   std::vector<Simplex> open;
-  for_each_facet(uses, [&](Uses group) {
+  for (const auto group : ByFacet(uses)) {
     if (group.size() == 1) open.push_back(group.front().facet);
-  });
+  }
   return open;
 }
 
 std::vector<std::size_t> part_of_each(const std::vector<Simplex>& simplices,
                                       const std::vector<FacetUse>& uses) {
   DisjointSets joined(simplices.size());
-  for_each_facet(uses, [&](Uses group) {
+  for (const auto group : ByFacet(uses)) {
     for (const FacetUse& use : group) joined.unite(use.simplex, group.front().simplex);
-  });
+  }
   std::vector<std::size_t> parts;
   parts.reserve(simplices.size());
   for (std::size_t s = 0; s < simplices.size(); ++s) parts.push_back(joined.find(s));
@@ -84,13 +85,13 @@ std::vector<std::size_t> part_of_each(const std::vector<Simplex>& simplices,
 std::vector<Simplex> inconsistent_facets(const std::vector<Simplex>& simplices,
                                          const std::vector<FacetUse>& uses) {
   std::vector<Simplex> found;
-  for_each_facet(uses, [&](Uses group) {
+  for (const auto group : ByFacet(uses)) {
     const bool goes_around = !group.front().facet.empty();
-    if (group.size() != 2 || !goes_around) return;
+    if (group.size() != 2 || !goes_around) continue;
     if (sense(simplices, group[0]) == sense(simplices, group[1])) {
       found.push_back(group.front().facet);
     }
-  });
+  }
   return found;
 }
 
@@ -100,19 +101,19 @@ definition::NotManifold not_manifold(const std::vector<Simplex>& simplices,
   if (simplices.empty()) return found;
   const std::size_t size = simplices.front().size();
   std::set<Simplex> ridges_of_named;
-  for_each_facet(uses, [&](Uses group) {
-    if (group.size() < 3) return;
+  for (const auto group : ByFacet(uses)) {
+    if (group.size() < 3) continue;
     found.facets.push_back(group.front().facet);
     for (std::size_t i = 0; i < size - 1; ++i) {
       ridges_of_named.insert(facet_opposite(group.front().facet, i));
     }
-  });
+  }
   const std::vector<Simplex> boundary = open_facets(uses);
   const std::vector<FacetUse> ridges = size > 2 ? facet_uses(boundary) : std::vector<FacetUse>();
-  for_each_facet(ridges, [&](Uses group) {
+  for (const auto group : ByFacet(ridges)) {
     const Simplex& ridge = group.front().facet;
     if (group.size() != 2 && !ridges_of_named.contains(ridge)) found.ridges.push_back(ridge);
-  });
+  }
   if (size < 3) return found;
   std::set<Vertex> named;
   add_vertices(found.facets, named);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <span>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -39,14 +39,14 @@ class Conditions {
  private:
   Places not_matched() {
     Places found;
-    for_each_facet(facet_uses(simplices_), [&](std::span<const FacetUse> group) {
+    for (const auto group : ByFacet(facet_uses(simplices_))) {
       if (group.size() == 1) {
         facets_.push_back(group.front().facet);
         owners_.push_back(group.front());
       } else if (group.size() > 2 || !are_apart(group[0], group[1])) {
         for (const FacetUse& use : group) found.push_back(use.simplex);
       }
-    });
+    }
     return found;
   }
 
@@ -77,12 +77,7 @@ class Conditions {
   Vertex apex(const FacetUse& use) const { return simplices_[use.simplex][use.opposite]; }
 
   bool are_apart(const FacetUse& a, const FacetUse& b) const {
-    const auto side_of = [&](const FacetUse& use) {
-      Simplex joined = use.facet;
-      joined.push_back(apex(use));
-      return orientation(points_, joined);
-    };
-    return side_of(a) * side_of(b) < 0;
+    return side_of_facet(points_, a.facet, apex(a)) * side_of_facet(points_, b.facet, apex(b)) < 0;
   }
 
   std::vector<Point> corners(const Simplex& simplex) const {
@@ -121,10 +116,9 @@ std::vector<std::size_t> improper_facets(const Configuration& points,
 std::vector<std::size_t> class_of_each(const std::vector<Simplex>& facets) {
   DisjointSets classes(facets.size());
   const bool has_ridges = !facets.empty() && facets.front().size() > 1;
-  for_each_facet(has_ridges ? facet_uses(facets) : std::vector<FacetUse>(),
-                 [&](std::span<const FacetUse> group) {
-                   if (group.size() == 2) classes.unite(group[0].simplex, group[1].simplex);
-                 });
+  for (const auto group : ByFacet(has_ridges ? facet_uses(facets) : std::vector<FacetUse>())) {
+    if (group.size() == 2) classes.unite(group[0].simplex, group[1].simplex);
+  }
   std::vector<std::size_t> class_of;
   class_of.reserve(facets.size());
   for (std::size_t i = 0; i < facets.size(); ++i) class_of.push_back(classes.find(i));

@@ -15,10 +15,6 @@ using definition::CrossingFaces;
 using definition::HangingVertex;
 using definition::ImproperPairs;
 
-bool has_face(const Simplex& simplex, const Simplex& face) {
-  return std::includes(simplex.begin(), simplex.end(), face.begin(), face.end());
-}
-
 // Do the relative interiors of two faces without a common vertex meet in one point, and none of
 // smaller faces?
 bool meet_in_one_point(const Configuration& points, const Simplex& f, const Simplex& g) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
 
@@ -15,13 +16,6 @@ using definition::ListedComplex;
 
 NamedValue named(const char* name, std::size_t value) {
   return {name, Rational(static_cast<long>(value))};
-}
-
-// Each once.
-Simplex ascending(Simplex vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 // Turns what was found into a verdict, whoever found it.
@@ -63,7 +57,7 @@ class Said {
       if (!verdict_.keeps_more()) {
         Simplex both = listed_.simplices[i];
         both.insert(both.end(), listed_.simplices[j].begin(), listed_.simplices[j].end());
-        verdict_.count(Rule::kOverlap, std::nullopt, ascending(std::move(both)));
+        verdict_.count(Rule::kOverlap, std::nullopt, std::move(both));
         continue;
       }
       Witness witness = of_places({i, j});
@@ -177,8 +171,7 @@ class Said {
     }
     std::vector<std::size_t> found;
     for (const std::size_t s : at_vertex_.at(face.front())) {
-      const auto has = [&](Vertex v) { return contains(merged(s), v); };
-      if (std::all_of(face.begin(), face.end(), has)) found.push_back(s);
+      if (has_face(merged(s), face)) found.push_back(s);
     }
     return found;
   }
@@ -204,19 +197,12 @@ class Said {
 
   // A point of both that is not in their common face.
   std::optional<Point> common_point(const Simplex& a, const Simplex& b) const {
-    std::vector<Point> points;
-    std::map<Vertex, Vertex> place;
-    const auto placed = [&](const Simplex& simplex) {
-      Simplex own;
-      for (const Vertex v : simplex) {
-        const auto [at, is_new] = place.emplace(v, static_cast<Vertex>(points.size()));
-        if (is_new) points.push_back(point(v));
-        own.push_back(at->second);
-      }
-      return own;
+    const auto corners = [&](const Simplex& simplex) {
+      std::vector<Point> all;
+      for (const Vertex v : simplex) all.push_back(point(v));
+      return all;
     };
-    const Simplex own_a = placed(a), own_b = placed(b);
-    return improper_intersection(PointSet(std::move(points)), own_a, own_b);
+    return improper_intersection(corners(a), corners(b));
   }
 
   Rational determinant_of(std::size_t s) const {

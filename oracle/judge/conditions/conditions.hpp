@@ -3,8 +3,9 @@
 // list of faults of the fast judge, and the judge of meshes in parts. A sign is 1 on the inner
 // side, 0 in the hyperplane and −1 beyond.
 //
-// The fast judge's sweep over all facets does not ask condition 1 here: it compares parities of
-// vertex orders for several facets at once.
+// One place does not ask condition 1 here: the fast judge's sweep. It compares parities of vertex
+// orders for several facets at once, in vectors, which a question for one facet cannot do.
+// What it doubts is asked here, by the list of faults.
 #pragma once
 
 #include <cstddef>

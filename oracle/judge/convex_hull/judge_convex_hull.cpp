@@ -4,8 +4,8 @@
 #include <cassert>
 #include <numeric>
 #include <optional>
-#include <span>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/complex/adjacency.hpp"
 #include "oracle/judge/complex/improper_pairs.hpp"
@@ -101,18 +101,17 @@ class HullJudge {
                                 : !listed_.simplices.empty() && open_facets(uses).empty();
     if (is_covered) return;
     if (listed_.simplices.empty()) verdict_.add(Rule::kHullUncovered, {});
-    for_each_facet(uses, [&](std::span<const FacetUse> group) {
-      if (group.size() != 1) return;
+    for (const auto group : ByFacet(uses)) {
+      if (group.size() != 1) continue;
       verdict_.add(Rule::kHullUncovered,
                    {.simplices = {listed_.simplices[group[0].simplex]}, .face = group[0].facet});
-    });
+    }
   }
 
   void add_not_supporting(std::size_t facet, const Simplex& two) {
     Witness witness{.simplices = {listed_.simplices[facet]}, .vertices = two};
     for (const Vertex q : two) {
-      Simplex joined = listed_.simplices[facet];
-      joined.push_back(q);
+      const Simplex joined = with_apex(listed_.simplices[facet], q);
       const Configuration& points = points_.configuration();
       witness.values.push_back({q == two[0] ? "orientation determinant of the facet and the first"
                                             : "orientation determinant of the facet and the second",

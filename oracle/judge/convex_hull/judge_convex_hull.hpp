@@ -11,7 +11,7 @@
 
 namespace circumspect::check {
 
-// Why the mesh can be no list of facets, one line that says what to do; empty if it can.
+// Why the mesh cannot be a list of facets, one line that says what to do; empty if it can.
 std::string fault_of_hull(const Mesh& mesh);
 
 // The answer is the same by definition and by lemma, but for the time that it takes. In the plane

@@ -1,9 +1,9 @@
 #include "oracle/judge/convex_hull/star_conditions.hpp"
 
 #include <map>
-#include <span>
 
 #include "kernel/boxes/point_search.hpp"
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
@@ -74,7 +74,7 @@ class SeenFromInside {
 
  private:
   int side_of(std::size_t facet, Vertex q) const {
-    return orientation(points_, joined(facets_[facet], {q}));
+    return side_of_facet(points_, facets_[facet], q);
   }
 
   bool are_beside_inside() {
@@ -89,12 +89,12 @@ class SeenFromInside {
     const std::size_t size = facets_.front().size();
     across_.assign(facets_.size() * size, 0);
     bool are = true;
-    for_each_facet(facet_uses(facets_), [&](std::span<const FacetUse> group) {
+    for (const auto group : ByFacet(facet_uses(facets_))) {
       are = are && group.size() == 2 && is_convex(group[0], group[1]);
-      if (!are) return;
+      if (!are) break;
       across_[group[0].simplex * size + group[0].opposite] = group[1].simplex;
       across_[group[1].simplex * size + group[1].opposite] = group[0].simplex;
-    });
+    }
     return are;
   }
 

@@ -9,7 +9,7 @@
 
 namespace circumspect::check {
 
-// What is known of a hull that is one: the points of its boundary that are no vertices, ascending.
+// What is known of a hull that is one: the points of its boundary that are not vertices, ascending.
 struct HeldHull {
   std::vector<Vertex> beside = {};
 };
@@ -25,8 +25,8 @@ struct HeldHull {
 // the dimension of the set's affine hull.
 std::optional<HeldHull> held_hull(const PointSet& points, const std::vector<Simplex>& facets);
 
-// Of a hull that is one: its vertices that are no extreme points, ascending. The hyperplanes of the
-// facets at a point have no other point in common if and only if it is extreme.
+// Of a hull that is one: its vertices that are not extreme points, ascending. The hyperplanes of
+// the facets at a point have no other point in common if and only if it is extreme.
 std::vector<Vertex> not_extreme(const PointSet& points, const std::vector<Simplex>& facets);
 
 }  // namespace circumspect::check

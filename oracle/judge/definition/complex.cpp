@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
-#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 
@@ -18,29 +19,10 @@ Points at(const ListedComplex& listed, const Simplex& simplex) {
   return points;
 }
 
-bool has_face(const Simplex& simplex, const Simplex& face) {
-  return std::all_of(face.begin(), face.end(), [&](Vertex v) { return contains(simplex, v); });
-}
 std::vector<Simplex> with_face(const std::vector<Simplex>& simplices, const Simplex& face) {
   std::vector<Simplex> found = simplices;
   std::erase_if(found, [&](const Simplex& simplex) { return !has_face(simplex, face); });
   return found;
-}
-
-// Is there a common point Σ λ_i a_i = Σ μ_j b_j with all coordinates positive?
-bool relative_interiors_meet(const Points& a, const Points& b) {
-  const std::size_t d = a.front().size(), last = a.size() + b.size();
-  RationalMatrix rows(d + 2, std::vector<Rational>(last, 0));
-  std::vector<Rational> right(d + 2, 0);
-  right[d] = right[d + 1] = 1;
-  for (std::size_t i = 0; i < last; ++i) {
-    const bool is_of_a = i < a.size();
-    for (std::size_t axis = 0; axis < d; ++axis) {
-      rows[axis][i] = is_of_a ? a[i][axis] : Rational(-b[i - a.size()][axis]);
-    }
-    rows[is_of_a ? d : d + 1][i] = 1;
-  }
-  return is_solvable(std::move(rows), std::move(right), last);
 }
 
 // Do the relative interiors of two faces meet in one point, and none of smaller faces? Then their
@@ -50,21 +32,6 @@ bool meet_in_one_point(const Points& a, const Points& b) {
   all.insert(all.end(), b.begin(), b.end());
   return affine_hull(all).dimension + 2 == static_cast<int>(all.size()) &&
          relative_interiors_meet(a, b);
-}
-
-// Do two simplices meet in the face of their common vertices, or not at all?
-bool meet_properly(const ListedComplex& listed, const Simplex& a, const Simplex& b) {
-  Simplex together = a;
-  for (const Vertex v : b) {
-    if (!contains(a, v)) together.push_back(v);
-  }
-  const auto places_of = [&](Simplex simplex) {
-    for (Vertex& v : simplex) {
-      v = std::find(together.begin(), together.end(), v) - together.begin();
-    }
-    return simplex;
-  };
-  return !improper_intersection(PointSet(at(listed, together)), places_of(a), places_of(b));
 }
 
 // In how many parts are some simplices, if those with a common face of this size are connected?
@@ -141,7 +108,7 @@ ImproperPairs improper_pairs(const ListedComplex& listed, const SetApart& apart)
     for (const std::size_t j : apart.compared) {
       if (j <= i) continue;
       const Simplex a = sorted(apart.merged[i]), b = sorted(apart.merged[j]);
-      if (meet_properly(listed, a, b)) continue;
+      if (!improper_intersection(at(listed, a), at(listed, b))) continue;
       if (relative_interiors_meet(at(listed, a), at(listed, b))) {
         pairs.overlaps.push_back({i, j});
         continue;
@@ -225,9 +192,7 @@ std::vector<int> orientation_signs(const std::vector<Point>& points,
   const Configuration configuration(points);
   std::vector<int> signs;
   for (const Simplex& simplex : simplices) {
-    std::vector<std::size_t> axes;
-    for (std::size_t axis = 0; axis < configuration.ambient_dimension(); ++axis)
-      axes.push_back(axis);
+    const auto axes = std::span(kSpace).first(configuration.ambient_dimension());
     // det[p_0 − p_d; …; p_{d−1} − p_d] is this determinant in the plane, and minus it in space.
     const int of_last = orientation(configuration, axes, simplex);
     signs.push_back(axes.size() % 2 == 0 ? of_last : -of_last);

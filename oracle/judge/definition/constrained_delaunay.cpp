@@ -5,9 +5,8 @@
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
-#include "oracle/judge/definition/delaunay.hpp"
-#include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/visibility.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::definition {
 namespace {
@@ -31,7 +30,8 @@ void judge_constrained_delaunay(const ExactMesh& mesh, const PiecewiseLinearComp
     for (Vertex v = 0; mesh.points.names(v); ++v) {
       if (contains(simplex, v) || in_ball(points, simplex, v) <= 0) continue;
       if (!is_visible(complex, v, simplex)) continue;
-      add_in_ball(mesh.points, Rule::kVisibleVertexInBall, simplex, std::nullopt, v, verdict);
+      add_vertex_in_ball(mesh.points, Rule::kVisibleVertexInBall, simplex, std::nullopt, v,
+                         verdict);
     }
   }
   if (complex.ambient_dimension() == 2) return;
@@ -41,7 +41,8 @@ void judge_constrained_delaunay(const ExactMesh& mesh, const PiecewiseLinearComp
       if (contains(triangle, v) || side_of_triangle(points, triangle, v) != 0) continue;
       if (in_ball(points, axes, triangle, v) <= 0) continue;
       if (!is_visible(complex, v, triangle)) continue;
-      add_in_ball(mesh.points, Rule::kDanglingNotDelaunay, triangle, std::nullopt, v, verdict);
+      add_vertex_in_ball(mesh.points, Rule::kDanglingNotDelaunay, triangle, std::nullopt, v,
+                         verdict);
     }
   }
 }

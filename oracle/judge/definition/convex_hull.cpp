@@ -4,6 +4,7 @@
 #include <set>
 
 #include "kernel/complex/polytope.hpp"
+#include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/definition/triangulation.hpp"
 
@@ -26,9 +27,7 @@ ExactMesh part_in(const PointSet& points, const Face& of_hull, const std::vector
 std::optional<Simplex> on_both_sides(const PointSet& points, const Simplex& facet) {
   std::optional<Vertex> first[2];
   for (Vertex q = 0; points.names(q); ++q) {
-    Simplex joined = facet;
-    joined.push_back(q);
-    const int side = orientation(points.configuration(), joined);
+    const int side = side_of_facet(points.configuration(), facet, q);
     if (side != 0 && !first[side > 0]) first[side > 0] = q;
   }
   if (!first[0] || !first[1]) return std::nullopt;
@@ -58,17 +57,15 @@ std::vector<Vertex> boundary_points(const PointSet& points) {
 
 bool is_extreme(const PointSet& points, Vertex v) {
   const std::size_t d = points.ambient_dimension();
-  LinearProgram program;
-  program.equations.resize(d + 1);
+  RationalMatrix rows(d + 1);
   for (Vertex q = 0; points.names(q); ++q) {
     if (q == v) continue;
-    for (std::size_t axis = 0; axis < d; ++axis) program.equations[axis].push_back(points[q][axis]);
-    program.equations[d].push_back(1);
+    for (std::size_t axis = 0; axis < d; ++axis) rows[axis].push_back(points[q][axis]);
+    rows[d].push_back(1);
   }
-  program.right_sides = points[v];
-  program.right_sides.push_back(1);
-  program.objective.assign(program.equations[d].size(), 0);
-  return maximize(program).status == LinearProgramStatus::kInfeasible;
+  std::vector<Rational> right = points[v];
+  right.emplace_back(1);
+  return !is_solvable(std::move(rows), std::move(right));
 }
 
 }  // namespace circumspect::definition

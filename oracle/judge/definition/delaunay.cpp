@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::definition {
 
@@ -17,7 +19,7 @@ void judge_balls_are_empty(const ExactMesh& mesh, Verdict& verdict) {
     for (Vertex q = 0; mesh.points.names(q); ++q) {
       if (contains(simplex, q)) continue;
       const int side = in_ball(points, simplex, q);
-      if (side > 0) add_in_ball(mesh.points, rule, simplex, std::nullopt, q, verdict);
+      if (side > 0) add_vertex_in_ball(mesh.points, rule, simplex, std::nullopt, q, verdict);
       if (side != 0) continue;
       unique = false;
       canonical = canonical && perturbed_in_ball(points, simplex, q) < 0;
@@ -75,26 +77,6 @@ void judge_some_ball_is_empty(const PointSet& points, const std::vector<Simplex>
     verdict.add(Rule::kNoEmptyBall,
                 {.simplices = {simplex}, .vertices = against, .ball = circumball(points, simplex)});
   }
-}
-
-void add_in_ball(const PointSet& points, Rule rule, const Simplex& simplex,
-                 const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
-  const Ball ball = circumball(points, simplex);
-  const Rational depth = -power(points, ball, q);
-  Witness witness{.simplices = {simplex}, .face = facet, .vertices = {q}, .ball = ball};
-  witness.values = {{"squared distance from centre", squared_distance(points[q], ball.centre)}};
-  if (points.is_weighted()) {
-    witness.values.push_back({"weight of the vertex", points.weight(q)});
-    witness.values.push_back({"squared radius of the orthoball", ball.squared_radius});
-    witness.values.push_back({"squared radius less squared distance plus weight", depth});
-  } else {
-    witness.values.push_back({"squared radius", ball.squared_radius});
-    witness.values.push_back({"squared radius less squared distance", depth});
-  }
-  // An orthoball may have no real radius to compare the depth with.
-  const bool has_radius = sign(ball.squared_radius) > 0;
-  verdict.add(rule, witness,
-              has_radius ? std::optional<Rational>(depth / ball.squared_radius) : std::nullopt);
 }
 
 }  // namespace circumspect::definition

@@ -2,7 +2,6 @@
 // lifting map.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "oracle/model/exact_mesh.hpp"
@@ -22,11 +21,5 @@ void judge_balls_are_empty(const ExactMesh& mesh, Verdict& verdict);
 // circumball of σ that contains no point in S" (delaunay.no-empty-ball).
 void judge_some_ball_is_empty(const PointSet& points, const std::vector<Simplex>& simplices,
                               Verdict& verdict);
-
-// Adds that q is strictly inside the ball of a simplex (with weights: that q⁺ is strictly below its
-// witness plane), with the ball and how deep q lies in it. `facet`: what else broke the rule, if
-// so.
-void add_in_ball(const PointSet& points, Rule rule, const Simplex& simplex,
-                 const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
 
 }  // namespace circumspect::definition

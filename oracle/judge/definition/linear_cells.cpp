@@ -100,7 +100,7 @@ class LinearCells {
     return cover(std::move(parts), p, q);
   }
 
-  // Is pq the union of some parts of it? Those that are no stretches add nothing.
+  // Is pq the union of some parts of it? Those that are not stretches add nothing.
   static bool cover(std::vector<Corners> parts, Point p, Point q) {
     if (q < p) std::swap(p, q);
     std::erase_if(parts, [](const Corners& part) { return part.size() < 2; });

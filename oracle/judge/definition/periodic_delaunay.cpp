@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/complex/circumball.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -46,17 +48,12 @@ class PeriodicDefinition {
   }
 
   // Do a cell and another, moved, meet in the hull of their common corners, and are not the same?
-  bool meet_properly(std::size_t a, const std::vector<Point>& of_b) const {
-    std::vector<Point> points = corners(a, Point(of_b.front().size(), 0));
-    Simplex first(points.size()), second;
-    for (std::size_t i = 0; i < first.size(); ++i) first[i] = static_cast<Vertex>(i);
-    for (const Point& corner : of_b) {
-      const auto found = std::find(points.begin(), points.end(), corner);
-      second.push_back(static_cast<Vertex>(found - points.begin()));
-      if (found == points.end()) points.push_back(corner);
-    }
-    if (points.size() == first.size()) return false;
-    return !improper_intersection(PointSet(std::move(points)), first, second);
+  bool meet_properly(std::size_t a, std::vector<Point> of_b) const {
+    std::vector<Point> of_a = corners(a, Point(of_b.front().size(), 0));
+    if (improper_intersection(of_a, of_b)) return false;
+    std::sort(of_a.begin(), of_a.end());
+    std::sort(of_b.begin(), of_b.end());
+    return of_a != of_b;
   }
 
   bool judge_every_two_moved() {

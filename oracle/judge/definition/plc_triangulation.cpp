@@ -68,7 +68,7 @@ class Judging {
   bool each_is_simplex() {
     const bool faces_are = judge_each_face(mesh_, axes_.size(), verdict_);
     if (mesh_.points.dimension() < static_cast<int>(axes_.size())) {
-      // All points lie in one hyperplane: whatever is no triangle or edge is flat.
+      // All points lie in one hyperplane: whatever is not a triangle or edge is flat.
       for (const Simplex& simplex : mesh_.simplices) {
         verdict_.add(Rule::kWrongDimension, {.simplices = {simplex}});
       }

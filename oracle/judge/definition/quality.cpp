@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 
 namespace circumspect::definition {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
 

@@ -1,6 +1,6 @@
 #include "oracle/judge/definition/surface_delaunay.hpp"
 
-#include "oracle/judge/definition/simplicial_complex.hpp"
+#include "oracle/judge/definition/quality.hpp"
 
 namespace circumspect::definition {
 
@@ -24,17 +24,11 @@ SurfaceEdges surface_edges(const std::vector<Simplex>& triangles) {
   return edges;
 }
 
-Rational signed_square(const Point& apex, const Point& p, const Point& q) {
-  const Point to_p = p - apex, to_q = q - apex;
-  const Rational product = inner_product(to_p, to_q);
-  const Rational square = product * product / (squared_length(to_p) * squared_length(to_q));
-  return sign(product) < 0 ? Rational(-square) : square;
-}
-
 bool is_delaunay(const std::vector<Point>& points, const InteriorEdge& edge) {
   const auto at = [&](Vertex v) -> const Point& { return points[static_cast<std::size_t>(v)]; };
   const Point &p = at(edge.edge[0]), &q = at(edge.edge[1]);
-  return signed_square(at(edge.of_first), p, q) >= -signed_square(at(edge.of_second), p, q);
+  return signed_square_at({at(edge.of_first)}, p, q) >=
+         -signed_square_at({at(edge.of_second)}, p, q);
 }
 
 }  // namespace circumspect::definition

@@ -25,9 +25,6 @@ struct SurfaceEdges {
 // Requires: no triangle repeats a vertex.
 SurfaceEdges surface_edges(const std::vector<Simplex>& triangles);
 
-// sign(cos)·cos² of the angle at `apex` between the ways to p and q. Requires: neither is the apex.
-Rational signed_square(const Point& apex, const Point& p, const Point& q);
-
 // Is α + β ≤ π? That is α ≤ π − β, and cosines fall from 0 to π: cos α ≥ −cos β.
 // Requires: triangles that are not flat.
 bool is_delaunay(const std::vector<Point>& points, const InteriorEdge& edge);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernel/predicates/orientation.hpp"
-#include "oracle/judge/definition/simplicial_complex.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::definition {
 
@@ -20,28 +20,14 @@ void judge_union_is_hull(const ExactMesh& mesh, Rule rule, Verdict& verdict) {
   for (const FacetUse& use : facet_uses(mesh.simplices)) {
     const Simplex& simplex = mesh.simplices[use.simplex];
     const auto is_shared = [&](const Simplex& other) {
-      return &other != &simplex && std::all_of(use.facet.begin(), use.facet.end(),
-                                               [&](Vertex v) { return contains(other, v); });
+      return &other != &simplex && has_face(other, use.facet);
     };
     if (std::any_of(mesh.simplices.begin(), mesh.simplices.end(), is_shared)) continue;
-    const auto with = [&](Vertex apex) {
-      Simplex joined = use.facet;
-      joined.push_back(apex);
-      return joined;
-    };
-    const Simplex own = with(simplex[use.opposite]);
+    const Vertex apex = simplex[use.opposite];
+    const int own = side_of_facet(points, use.facet, apex);
     for (Vertex q = 0; mesh.points.names(q); ++q) {
-      if (orientation(points, with(q)) * orientation(points, own) >= 0) continue;
-      const auto volume_of = [&](const Simplex& of) {
-        return orientation_determinant(points, points.axes(), of);
-      };
-      verdict.add(
-          rule,
-          {.simplices = {simplex},
-           .face = use.facet,
-           .vertices = {q},
-           .values = {{"orientation determinant of facet and own apex", volume_of(own)},
-                      {"orientation determinant of facet and vertex beyond", volume_of(with(q))}}});
+      if (side_of_facet(points, use.facet, q) * own >= 0) continue;
+      verdict.add(rule, vertex_beyond_facet(mesh.points, simplex, use.facet, apex, q));
       break;
     }
   }

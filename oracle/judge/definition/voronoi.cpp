@@ -179,42 +179,4 @@ std::vector<Point> listed_corners(const VoronoiDiagram& diagram, Vertex site,
   return {cell.points.begin(), cell.points.end()};
 }
 
-// With G the products of the differences from the first of the points, the foot of q is the first
-// plus Σ λ_i times these, where G λ are the products with q.
-Rational squared_distance_to_hull(const Point& q, const std::vector<Point>& points) {
-  std::optional<Rational> least;
-  const std::size_t most = std::min(points.size(), q.size() + 1);
-  for (std::size_t size = 1; size <= most; ++size) {
-    Simplex some = first_subset(size);
-    do {
-      const auto at = [&](std::size_t i) -> const Point& {
-        return points[static_cast<std::size_t>(some[i])];
-      };
-      RationalMatrix products;
-      std::vector<Rational> of_q;
-      for (std::size_t i = 1; i < size; ++i) {
-        products.emplace_back();
-        for (std::size_t j = 1; j < size; ++j) {
-          products.back().push_back(inner_product(at(i) - at(0), at(j) - at(0)));
-        }
-        of_q.push_back(inner_product(at(i) - at(0), q - at(0)));
-      }
-      const auto weights = solve(products, of_q);
-      if (!weights) continue;
-      Rational sum = 0;
-      Point foot = at(0);
-      bool is_inside = true;
-      for (std::size_t i = 1; i < size; ++i) {
-        const Rational& weight = (*weights)[i - 1];
-        foot = foot + weight * (at(i) - at(0));
-        sum += weight;
-        is_inside = is_inside && sign(weight) >= 0;
-      }
-      const Rational squared = squared_distance(q, foot);
-      if (is_inside && sum <= 1 && (!least || squared < *least)) least = squared;
-    } while (next_subset(some, points.size()));
-  }
-  return *least;
-}
-
 }  // namespace circumspect::definition

@@ -39,10 +39,6 @@ std::vector<Point> directions_of(const VoronoiDiagram& diagram, Vertex site);
 // Requires: every corner names a vertex.
 std::vector<Point> listed_corners(const VoronoiDiagram& diagram, Vertex site, const JudgedBox& box);
 
-// From q to the convex hull of some points: the nearest point is in a simplex of at most d + 1 of
-// them, where q has a foot whose coordinates are not negative. Requires: there is a point.
-Rational squared_distance_to_hull(const Point& q, const std::vector<Point>& points);
-
 // The corner that is farthest from the other cell, the first in lexicographic order if there are
 // several, of those of the listed cell first.
 struct FarthestCorner {

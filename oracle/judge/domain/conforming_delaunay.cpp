@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/complex/by_facet.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "oracle/judge/domain/empty_circumball.hpp"
@@ -68,15 +70,15 @@ void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece
   const bool are_empty_at_boundary = in.known != nullptr && in.known->boundary_balls_are_empty;
   // A simplex with several facets on the boundary is judged at the first.
   std::vector<bool> judged(in.mesh.simplices.size(), false);
-  for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(in.uses)) {
     if (group.size() == 2) {
       if (!all_are_local) judge_shared_facet(in.mesh, group, verdict);
-      return;
+      continue;
     }
-    if (are_empty_at_boundary || judged[group.front().simplex]) return;
+    if (are_empty_at_boundary || judged[group.front().simplex]) continue;
     judged[group.front().simplex] = true;
     judge_ball_at_boundary(in.mesh, index, group.front(), verdict);
-  });
+  }
   const auto near = [&](const Ball& ball) { return index.near(ball); };
   for (const Simplex& simplex : dangling_simplices(in, pieces)) {
     judge_dangling(in.mesh, simplex, near, verdict);

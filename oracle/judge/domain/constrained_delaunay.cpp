@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/perturbation.hpp"
@@ -58,10 +59,10 @@ void judge_facets(const MeshedDomain& in, const std::vector<WallPiece>& pieces, 
   }
   const Configuration& points = in.mesh.points.configuration();
   auto piece = pieces.begin();
-  for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(in.uses)) {
     const Simplex& facet = group.front().facet;
     while (piece != pieces.end() && piece->facet < facet) ++piece;
-    if (group.size() != 2 || (piece != pieces.end() && piece->facet == facet)) return;
+    if (group.size() != 2 || (piece != pieces.end() && piece->facet == facet)) continue;
     const Simplex& simplex = in.mesh.simplices[group[0].simplex];
     const Vertex apex = in.mesh.simplices[group[1].simplex][group[1].opposite];
     const int side = in_ball(points, simplex, apex);
@@ -69,7 +70,7 @@ void judge_facets(const MeshedDomain& in, const std::vector<WallPiece>& pieces, 
     if (side > 0) {
       add_in_ball(in.mesh, Rule::kConstrainedFacetNotLocal, simplex, facet, apex, verdict);
     }
-  });
+  }
 }
 
 void judge_dangling_triangles(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
@@ -84,16 +85,16 @@ void judge_dangling_triangles(const MeshedDomain& in, const std::vector<WallPiec
     polygon.push_back(piece.cell);
   }
   const Configuration& points = in.mesh.points.configuration();
-  for_each_facet(facet_uses(triangles), [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(facet_uses(triangles))) {
     const Simplex& edge = group.front().facet;
-    if (group.size() != 2 || in.chains.is_link(edge[0], edge[1])) return;
+    if (group.size() != 2 || in.chains.is_link(edge[0], edge[1])) continue;
     const Simplex& triangle = triangles[group[0].simplex];
     const Vertex apex = triangles[group[1].simplex][group[1].opposite];
     const std::vector<std::size_t>& axes = in.complex.polygons[polygon[group[0].simplex]].axes;
     const int side = in_ball(points, axes, triangle, apex);
     if (side == 0) ties.see(points, axes, triangle, apex);
     if (side > 0) add_in_ball(in.mesh, Rule::kDanglingNotDelaunay, triangle, edge, apex, verdict);
-  });
+  }
 }
 
 }  // namespace

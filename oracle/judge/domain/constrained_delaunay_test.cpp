@@ -177,7 +177,7 @@ TEST_CASE(
     REQUIRE(near.size() == on_sphere.size());
     CHECK(static_cast<std::size_t>(near.back()) + 1 == on_sphere.size());
   }
-  // A radius whose square is no double: what is beyond is so by less than a double can say.
+  // A radius whose square is not a double: what is beyond is so by less than a double can say.
   const Rational radius(1, 3);
   const VertexIndex two(PointSet({{radius, 0, 0}, {0, -radius, 0}}));
   CHECK(two.near({{0, 0, 0}, radius * radius}).size() == 2);

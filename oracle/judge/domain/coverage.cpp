@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/loose_facets.hpp"
 #include "oracle/judge/domain/outside_simplices.hpp"
@@ -22,8 +23,9 @@ Witness bare_side(const WallPiece& piece, std::size_t side) {
 std::array<std::size_t, 2> simplices_at(const MeshedDomain& in, std::span<const FacetUse> group) {
   std::array<std::size_t, 2> simplices = {kNowhere, kNowhere};
   for (const FacetUse& use : group) {
-    const Simplex joined = with_apex(use.facet, in.mesh.simplices[use.simplex][use.opposite]);
-    simplices[side_index(orientation(in.mesh.points.configuration(), joined))] = use.simplex;
+    const Vertex apex = in.mesh.simplices[use.simplex][use.opposite];
+    const int side = side_of_facet(in.mesh.points.configuration(), use.facet, apex);
+    simplices[side_index(side)] = use.simplex;
   }
   return simplices;
 }
@@ -46,7 +48,7 @@ void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces
   OutsideSimplices outside(in);
   std::vector<FacetUse> loose;
   auto piece = pieces.begin();
-  for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(in.uses)) {
     const Simplex& facet = group.front().facet;
     for (; piece != pieces.end() && piece->facet < facet; ++piece) {
       judge_piece(in, *piece, {kNowhere, kNowhere}, outside, verdict);
@@ -57,7 +59,7 @@ void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces
     } else if (group.size() == 1) {
       loose.push_back(group.front());
     }
-  });
+  }
   for (; piece != pieces.end(); ++piece) {
     judge_piece(in, *piece, {kNowhere, kNowhere}, outside, verdict);
   }

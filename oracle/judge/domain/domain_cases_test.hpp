@@ -12,6 +12,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/perturbation.hpp"
@@ -111,20 +112,20 @@ inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMes
   if (!judge_simplices(mesh, false, verdict)) return std::nullopt;
   if (!judge_facet_matching(mesh, uses, verdict)) return std::nullopt;
   fast::SimplexFacts known;
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(uses)) {
     const Simplex& simplex = mesh.simplices[group[0].simplex];
     const fast::FacetId facet(group[0].simplex, group[0].opposite);
     if (group.size() == 1) known.boundary.push_back(facet);
-    if (group.size() == 1 || !is_about_balls(claim)) return;
+    if (group.size() == 1 || !is_about_balls(claim)) continue;
     const Configuration& all = points.configuration();
     const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
     const int side = in_ball(all, simplex, apex);
     if (side > 0) known.not_local.push_back(facet);
-    if (side != 0) return;
+    if (side != 0) continue;
     known.ties.push_back(facet);
     const bool canonical = perturbed_in_ball(all, all.axes(), simplex, apex) < 0;
     if (!canonical) known.not_canonical.push_back(facet);
-  });
+  }
   for (auto* facets : {&known.boundary, &known.not_local, &known.ties, &known.not_canonical}) {
     std::sort(facets->begin(), facets->end());
   }

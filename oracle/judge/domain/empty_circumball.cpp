@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/exact/point.hpp"
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 
 namespace circumspect::check {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"

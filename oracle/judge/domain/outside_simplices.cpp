@@ -1,8 +1,8 @@
 #include "oracle/judge/domain/outside_simplices.hpp"
 
-#include <span>
 #include <utility>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
@@ -34,15 +34,16 @@ std::vector<std::vector<std::size_t>> OutsideSimplices::neighbours(
     const std::vector<WallPiece>& pieces) const {
   std::vector<std::vector<std::size_t>> beside(in_.mesh.simplices.size());
   auto piece = pieces.begin();
-  const auto join = [&](std::span<const FacetUse> group) {
+  // Of a mesh that is known to be sound not all uses are at hand.
+  std::vector<FacetUse> all;
+  if (in_.known != nullptr) all = facet_uses(in_.mesh.simplices);
+  for (const auto group : ByFacet(in_.known == nullptr ? in_.uses : all)) {
     while (piece != pieces.end() && piece->facet < group.front().facet) ++piece;
     const bool is_wall = piece != pieces.end() && piece->facet == group.front().facet;
-    if (is_wall || group.size() != 2) return;
+    if (is_wall || group.size() != 2) continue;
     beside[group[0].simplex].push_back(group[1].simplex);
     beside[group[1].simplex].push_back(group[0].simplex);
-  };
-  // Of a mesh that is known to be sound not all uses are at hand.
-  for_each_facet(in_.known == nullptr ? in_.uses : facet_uses(in_.mesh.simplices), join);
+  }
   return beside;
 }
 

@@ -44,7 +44,7 @@ bool judge_simplices_in_space(const ExactMesh& mesh, std::size_t ambient_dimensi
   if (mesh.points.dimension() == static_cast<int>(ambient_dimension)) {
     return judge_simplices(mesh, oriented, verdict) && faces_are_sound;
   }
-  // All points lie in one hyperplane: whatever is no triangle or edge is flat.
+  // All points lie in one hyperplane: whatever is not a triangle or edge is flat.
   for (const Simplex& simplex : mesh.simplices) {
     verdict.add(Rule::kWrongDimension, {.simplices = {simplex}});
   }

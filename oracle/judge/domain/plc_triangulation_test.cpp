@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"

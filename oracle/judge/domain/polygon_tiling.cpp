@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "kernel/complex/by_facet.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
 
@@ -49,7 +51,7 @@ std::vector<std::vector<Simplex>> triangles_at_polygons(const MeshedDomain& in) 
       }
     }
   };
-  for_each_facet(in.uses, [&](std::span<const FacetUse> group) { file(group.front().facet); });
+  for (const auto group : ByFacet(in.uses)) file(group.front().facet);
   for (const Simplex& face : in.mesh.faces) {
     if (face.size() == 3) file(sorted(face));
   }

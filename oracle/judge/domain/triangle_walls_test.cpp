@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/by_facet.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/fast/triangle_complex.hpp"
@@ -144,8 +145,8 @@ TEST_CASE("triangles that all share a vertex are too many to hold against each o
 Domain domain_of_facets(const ExactMesh& mesh, const std::function<bool(std::size_t)>& takes) {
   PiecewiseLinearInput input;
   std::map<Vertex, Vertex> vertex_of;
-  for_each_facet(facet_uses(mesh.simplices), [&](std::span<const FacetUse> group) {
-    if (!takes(group.size())) return;
+  for (const auto group : ByFacet(facet_uses(mesh.simplices))) {
+    if (!takes(group.size())) continue;
     Simplex polygon = group.front().facet;
     for (Vertex& v : polygon) {
       const auto [found, is_new] = vertex_of.try_emplace(v, vertex_of.size());
@@ -153,7 +154,7 @@ Domain domain_of_facets(const ExactMesh& mesh, const std::function<bool(std::siz
       v = found->second;
     }
     input.polygons.push_back({{polygon}, {}});
-  });
+  }
   auto complex = validated(input);
   REQUIRE(complex.has_value());
   return {std::move(*complex)};

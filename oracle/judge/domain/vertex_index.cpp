@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "kernel/boxes/interval.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 
 namespace circumspect::check {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/boxes/box_index.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/triple.hpp"
 

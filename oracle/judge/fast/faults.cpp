@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/boundary.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
@@ -301,7 +302,10 @@ class FaultFinder {
             const auto other = beyond(s, place);
             if (!other || *other <= s) continue;
             const auto next = across(s, place, *other);
-            if (next && next->opposite) continue;
+            const auto are_on_same_side = [&] { return !next->opposite; };
+            if (next && conditions::at_facet(2, are_on_same_side) == conditions::AtFacet::kGood) {
+              continue;
+            }
             found.push_back({{{s, place}, {*other, next ? next->place : 0}}, next.has_value()});
           }
         });

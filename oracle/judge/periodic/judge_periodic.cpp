@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
@@ -33,11 +34,11 @@ class PeriodicJudge {
       for (const Vertex v : simplex) cells_.back().push_back(moved(v));
     }
     const std::vector<FacetPlace> places = facet_places(cells_);
-    for_each_facet(places, [this](std::span<const FacetPlace> group) { match(group); });
+    for (const auto group : ByFacet(places)) match(group);
     if (has_unmatched_) return;
     judge_vertices();
     if (!is_covered_once()) return;
-    for_each_facet(places, [this](std::span<const FacetPlace> group) { compare_ball(group); });
+    for (const auto group : ByFacet(places)) compare_ball(group);
   }
 
  private:

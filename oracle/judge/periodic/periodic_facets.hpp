@@ -1,8 +1,6 @@
 // The facets of cells that a lattice repeats: facets of which one is the other, moved, are one.
 #pragma once
 
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "oracle/model/periodic.hpp"
@@ -20,20 +18,17 @@ using PeriodicCell = std::vector<MovedPoint>;
 Simplex sum(const Simplex& a, const Simplex& b);
 Simplex difference(const Simplex& a, const Simplex& b);
 
-// Where a facet is: opposite a corner of a cell, and how far from where `key` has its first vertex.
+// Where a facet is: opposite a corner of a cell, and how far from where `facet` has its first
+// vertex.
 struct FacetPlace {
-  PeriodicCell key;  // ascending, the first without an offset
+  PeriodicCell facet;  // ascending, the first without an offset
   std::size_t cell;
   std::size_t opposite;
   Simplex moved;
 };
 
-// All of them, by key and then by cell.
+// All of them, by facet and then by cell.
 // Requires: cells of two corners or more, of which no two are the same.
 std::vector<FacetPlace> facet_places(const std::vector<PeriodicCell>& cells);
-
-// Calls `visit` with the places of each facet.
-void for_each_facet(const std::vector<FacetPlace>& places,
-                    const std::function<void(std::span<const FacetPlace>)>& visit);
 
 }  // namespace circumspect::check

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "oracle/judge/periodic/periodic_facets.hpp"
@@ -151,15 +152,15 @@ std::vector<PeriodicCell> cells_of(const std::vector<Simplex>& simplices,
 }
 
 void add_what_is_across(const std::vector<PeriodicCell>& cells, Unfolding& unfolding) {
-  for_each_facet(facet_places(cells), [&](std::span<const FacetPlace> places) {
-    if (places.size() != 2) return;
+  for (const auto places : ByFacet(facet_places(cells))) {
+    if (places.size() != 2) continue;
     for (const auto& [own, other] : {std::pair{0, 1}, std::pair{1, 0}}) {
       const FacetPlace& from = places[static_cast<std::size_t>(other)];
       const MovedPoint& apex = cells[from.cell][from.opposite];
       const Simplex way = difference(places[static_cast<std::size_t>(own)].moved, from.moved);
       unfolding.place({apex.point, sum(apex.offset, way)});
     }
-  });
+  }
 }
 
 }  // namespace

@@ -6,14 +6,16 @@
 #include <set>
 
 #include "kernel/boxes/point_search.hpp"
+#include "kernel/complex/by_facet.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/triple.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
-#include "oracle/judge/definition/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::check {
 
@@ -69,10 +71,10 @@ bool adds_to_count_only(const ExactMesh& mesh, Rule rule, const Simplex& simplex
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
   if (adds_to_count_only(mesh, rule, simplex, q, verdict)) {
-    verdict.count(rule, std::nullopt, sorted(with_apex(simplex, q)));
+    verdict.count(rule, std::nullopt, with_apex(simplex, q));
     return;
   }
-  definition::add_in_ball(mesh.points, rule, simplex, facet, q, verdict);
+  add_vertex_in_ball(mesh.points, rule, simplex, facet, q, verdict);
 }
 
 void Ambiguity::see(const PointSet& points, const Simplex& simplex, Vertex q, int side) {
@@ -132,13 +134,13 @@ int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& share
 
 void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity) {
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
-    if (group.size() != 2) return;
+  for (const auto group : ByFacet(uses)) {
+    if (group.size() != 2) continue;
     const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
     const SharedFacet shared{group[0].facet, group[0].simplex, apex};
     const int side = judge_facet_locally_delaunay(mesh, shared, verdict);
     ambiguity.see(mesh.points, mesh.simplices[shared.simplex], apex, side);
-  });
+  }
 }
 
 namespace {
@@ -154,11 +156,11 @@ class Located {
     for (const Simplex& simplex : mesh.simplices) {
       own_.push_back(orientation(mesh.points.configuration(), simplex));
     }
-    for_each_facet(uses, [&](std::span<const FacetUse> group) {
-      if (group.size() != 2) return;
+    for (const auto group : ByFacet(uses)) {
+      if (group.size() != 2) continue;
       across_[group[0].simplex * row_size_ + group[0].opposite] = group[1].simplex;
       across_[group[1].simplex * row_size_ + group[1].opposite] = group[0].simplex;
-    });
+    }
   }
 
   std::size_t size() const { return mesh_.simplices.size(); }

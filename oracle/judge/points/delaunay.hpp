@@ -13,9 +13,6 @@
 
 namespace circumspect::check {
 
-// The witness that a point lies strictly inside a circumball (weighted: that its lifted companion
-// lies strictly below a witness plane).
-
 // Adds the violation, with the ball of `simplex` and how deep q lies in it. `facet` is the facet
 // between the simplex and q, if that is what broke the rule.
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,

@@ -82,11 +82,10 @@ bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict,
                      std::optional<int> of_most) {
   bool sound = true;
   std::vector<int> orientations(mesh.simplices.size(), 0);
-  std::vector<Simplex> ascending;
-  ascending.reserve(mesh.simplices.size());
+  std::vector<Simplex> ascending = mesh.simplices;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
-    ascending.push_back(sorted(mesh.simplices[s]));
-    const auto fault = fault_of_simplex(mesh, s, ascending.back(), orientations[s]);
+    std::sort(ascending[s].begin(), ascending[s].end());
+    const auto fault = fault_of_simplex(mesh, s, ascending[s], orientations[s]);
     if (fault) verdict.add(fault->rule, fault->witness);
     sound &= !fault;
   }

@@ -5,50 +5,41 @@
 #include <span>
 #include <utility>
 
+#include "kernel/complex/by_facet.hpp"
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/conditions/conditions.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::check {
 
-Simplex with_apex(Simplex facet, Vertex apex) {
-  facet.push_back(apex);
-  return facet;
-}
-
 BoundaryFacet boundary_facet(const ExactMesh& mesh, const FacetUse& use) {
   const Vertex apex = mesh.simplices[use.simplex][use.opposite];
-  const int inner = orientation(mesh.points.configuration(), with_apex(use.facet, apex));
+  const int inner = side_of_facet(mesh.points.configuration(), use.facet, apex);
   return {use.facet, apex, use.simplex, inner};
 }
 
 std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
                                            const std::vector<FacetUse>& uses) {
   std::vector<BoundaryFacet> boundary;
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(uses)) {
     if (group.size() == 1) boundary.push_back(boundary_facet(mesh, group.front()));
-  });
+  }
   return boundary;
 }
 
 int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q) {
-  return orientation(points, with_apex(facet.facet, q)) * facet.inner;
-}
-
-Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
-  Witness witness{
-      .simplices = {mesh.simplices[facet.simplex]}, .face = facet.facet, .vertices = {q}};
-  const Configuration& points = mesh.points.configuration();
-  witness.values = {
-      {"orientation determinant of facet and own apex",
-       orientation_determinant(points, points.axes(), with_apex(facet.facet, facet.apex))},
-      {"orientation determinant of facet and vertex beyond",
-       orientation_determinant(points, points.axes(), with_apex(facet.facet, q))}};
-  return witness;
+  return side_of_facet(points, facet.facet, q) * facet.inner;
 }
 
 namespace {
+
+Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
+  return vertex_beyond_facet(mesh.points, mesh.simplices[facet.simplex], facet.facet, facet.apex,
+                             q);
+}
 
 // The witness that two simplices overlap: a common point off their common face.
 Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
@@ -57,15 +48,19 @@ Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
   return {.simplices = {first, second}, .point = improper_intersection(mesh.points, first, second)};
 }
 
-// Is the vertex of `b` opposite a shared facet on the same side of it as that of `a`?
-bool on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& b) {
-  const Vertex apex = mesh.simplices[b.simplex][b.opposite];
-  return side_of(mesh.points.configuration(), boundary_facet(mesh, a), apex) > 0;
+// Are the vertices of two simplices opposite a facet of both on the same side of it?
+bool are_on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& b) {
+  const auto side_of_apex = [&](const FacetUse& use) {
+    const Vertex apex = mesh.simplices[use.simplex][use.opposite];
+    return side_of_facet(mesh.points.configuration(), use.facet, apex);
+  };
+  return side_of_apex(a) == side_of_apex(b);
 }
 
 // What condition 1 finds wrong with a facet of these uses.
 std::optional<Violation> fault_at_facet(const ExactMesh& mesh, std::span<const FacetUse> uses) {
-  switch (conditions::at_facet(uses.size(), [&] { return on_same_side(mesh, uses[0], uses[1]); })) {
+  const auto same_side = [&] { return are_on_same_side(mesh, uses[0], uses[1]); };
+  switch (conditions::at_facet(uses.size(), same_side)) {
     case conditions::AtFacet::kOverused: {
       Witness witness{.face = uses.front().facet};
       for (const FacetUse& use : uses) witness.simplices.push_back(mesh.simplices[use.simplex]);
@@ -92,11 +87,8 @@ struct Hinge {
 bool is_folded(const ExactMesh& mesh, const Hinge& hinge) {
   const Configuration& points = mesh.points.configuration();
   const std::vector<std::size_t> axes = axes_of(points, hinge.first.facet);
-  Simplex with_far = hinge.ridge;
-  with_far.push_back(hinge.first_far);
-  const int side = orientation(points, axes, with_far);
-  with_far.back() = hinge.second_far;
-  return side == orientation(points, axes, with_far);
+  const int side = side_of_facet(points, axes, hinge.ridge, hinge.first_far);
+  return side == side_of_facet(points, axes, hinge.ridge, hinge.second_far);
 }
 
 // What condition 2 finds wrong with a ridge of two facets.
@@ -157,22 +149,22 @@ bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) 
 bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                           Verdict& verdict) {
   bool matched = true;
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(uses)) {
     const auto fault = fault_at_facet(mesh, group);
     if (fault) verdict.add(fault->rule, fault->witness);
     matched &= !fault;
-  });
+  }
   return matched;
 }
 
 bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                   const std::vector<FacetUse>& ridges, Verdict& verdict) {
   bool closed_and_convex = true;
-  for_each_facet(ridges, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(ridges)) {
     const auto fault = fault_at_ridge(mesh, boundary, group);
     if (fault) verdict.add(fault->rule, fault->witness);
     closed_and_convex &= !fault;
-  });
+  }
   return closed_and_convex;
 }
 
@@ -225,13 +217,13 @@ void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdi
 }  // namespace
 
 void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(uses)) {
     const bool shared = group.size() == 2;
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;
       judge_link(mesh, group[i], across, verdict);
     }
-  });
+  }
 }
 
 void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,

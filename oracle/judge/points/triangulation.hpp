@@ -11,9 +11,6 @@
 
 namespace circumspect::check {
 
-// The simplex that joins a facet to an apex, which becomes its last vertex.
-Simplex with_apex(Simplex facet, Vertex apex);
-
 // A facet of only one simplex: a piece of the boundary of the mesh.
 struct BoundaryFacet {
   Simplex facet;        // ascending
@@ -31,9 +28,6 @@ std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
 // On which side of the facet is q? 1: on the inner side, strictly; 0: in its hyperplane; −1:
 // strictly beyond. `points` is the mesh's configuration or one with further points.
 int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q);
-
-// The witness that q lies strictly beyond a facet: two determinants of opposite signs.
-Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 
 // All three require that judge_simplices found nothing wrong, and return whether every facet lies
 // in one simplex or in two on opposite sides of it.

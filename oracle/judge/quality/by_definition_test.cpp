@@ -4,6 +4,7 @@
 
 #include "inputs/dice.hpp"
 #include "kernel/exact/angle.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/exact_measure.hpp"
 #include "oracle/judge/quality/filtered.hpp"
@@ -63,7 +64,7 @@ Drawn drawn(Dice& dice) {
   return drawn;
 }
 
-// A bound that a simplex of the mesh measures exactly, if it is no angle, or nearly; or any.
+// A bound that a simplex of the mesh measures exactly, if it is not an angle, or nearly; or any.
 Requirement drawn_requirement(Dice& dice, const Drawn& from) {
   const MeasureEntry* of = nullptr;
   do {

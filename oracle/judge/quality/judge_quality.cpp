@@ -1,8 +1,8 @@
 #include "oracle/judge/quality/judge_quality.hpp"
 
 #include <algorithm>
-#include <thread>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/exact_measure.hpp"
 #include "oracle/judge/quality/filtered.hpp"
@@ -25,9 +25,7 @@ Places violators_by_definition(const Mesh& mesh, const std::vector<Requirement>&
 Places violators(const Mesh& mesh, const Options& options) {
   const std::vector<Requirement>& requirements = options.quality.requirements;
   if (options.by == By::kDefinition) return violators_by_definition(mesh, requirements);
-  const unsigned threads =
-      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  return quality::violators(mesh, requirements, threads);
+  return quality::violators(mesh, requirements, threads_of(options));
 }
 
 void add_violation(const Requirement& requirement, const Mesh& mesh, std::size_t place,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/boxes/box_index.hpp"
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/exact/angle.hpp"
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/exact_measure.hpp"
@@ -62,9 +63,9 @@ std::vector<SharpAngles::Piece> SharpAngles::pieces_of_boundary() const {
     if (measured(Measure::kEdge, mesh_, simplex, dimension)) sound.push_back(simplex);
   }
   std::vector<Piece> pieces;
-  for_each_facet(facet_uses(sound), [&](std::span<const FacetUse> uses) {
+  for (const auto uses : ByFacet(facet_uses(sound))) {
     if (uses.size() == 1) pieces.push_back({uses.front().facet, pieces.size()});
-  });
+  }
   return pieces;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/quality/enclosed_mesh.hpp"
 

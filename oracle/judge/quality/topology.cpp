@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "kernel/complex/vertex_sets.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/exact/triple.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/quality/enclosed_mesh.hpp"

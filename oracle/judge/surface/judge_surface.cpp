@@ -1,9 +1,9 @@
 #include "oracle/judge/surface/judge_surface.hpp"
 
-#include <span>
-
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/exact/angle.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/definition/surface_delaunay.hpp"
 
 namespace circumspect::check {
@@ -17,14 +17,14 @@ constexpr std::size_t kTriangle = 3;
 // What definition::surface_edges says.
 SurfaceEdges matched_edges(const std::vector<Simplex>& triangles) {
   SurfaceEdges edges;
-  for_each_facet(facet_uses(triangles), [&](std::span<const FacetUse> group) {
+  for (const auto group : ByFacet(facet_uses(triangles))) {
     edges.boundary += group.size() == 1 ? 1 : 0;
     edges.set_apart += group.size() > 2 ? 1 : 0;
-    if (group.size() != 2) return;
+    if (group.size() != 2) continue;
     const auto opposite = [&](const FacetUse& use) { return triangles[use.simplex][use.opposite]; };
     edges.interior.push_back({group[0].facet, group[0].simplex, group[1].simplex,
                               opposite(group[0]), opposite(group[1])});
-  });
+  }
   return edges;
 }
 
@@ -88,8 +88,8 @@ class SurfaceJudge {
       return;
     }
     const Point &p = at(edge.edge[0]), &q = at(edge.edge[1]);
-    const Rational alpha = definition::signed_square(at(edge.of_first), p, q);
-    const Rational beta = definition::signed_square(at(edge.of_second), p, q);
+    const Rational alpha = definition::signed_square_at({at(edge.of_first)}, p, q);
+    const Rational beta = definition::signed_square_at({at(edge.of_second)}, p, q);
     verdict_.add(Rule::kEdgeNotDelaunay,
                  {.simplices = {triangles_[edge.first], triangles_[edge.second]},
                   .face = edge.edge,

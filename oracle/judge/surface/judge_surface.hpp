@@ -9,7 +9,7 @@
 
 namespace circumspect::check {
 
-// Why the mesh can be no surface of triangles, one line that says what to do; empty if it can.
+// Why the mesh cannot be a surface of triangles, one line that says what to do; empty if it can.
 std::string fault_of_surface(const Mesh& mesh);
 
 // The answer is the same by definition and by lemma, but for the time that it takes. Triangles that

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/exact/number_text.hpp"
+#include "oracle/judge/definition/distance.hpp"
 #include "oracle/judge/definition/voronoi.hpp"
 #include "oracle/judge/voronoi/clipped_cell.hpp"
 #include "oracle/judge/voronoi/listed_cell.hpp"
@@ -57,7 +59,7 @@ class VoronoiJudge {
       return;
     }
     const auto to_hull = [this](const Point& q, const std::vector<Point>& points) {
-      return by_definition_ ? definition::squared_distance_to_hull(q, points)
+      return by_definition_ ? definition::squared_distance_between({q}, points)
                             : squared_distance_to_hull(q, points);
     };
     const FarthestCorner farthest = definition::farthest_corner(listed, exact, to_hull);

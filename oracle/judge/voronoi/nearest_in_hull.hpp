@@ -7,7 +7,7 @@
 
 namespace circumspect::check {
 
-// The answer of definition::squared_distance_to_hull, by Wolfe's algorithm: a simplex of some
+// The answer of definition::squared_distance_between, by Wolfe's algorithm: a simplex of some
 // points whose nearest point to q is inside of it is changed, ever nearer, until no point is beyond
 // the hyperplane through that nearest point (P. Wolfe, "Finding the nearest point in a polytope",
 // Math.

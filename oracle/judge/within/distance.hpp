@@ -27,7 +27,7 @@ RoundedPoint rounded(const Point& point);
 // At least the square root, and hardly more.
 Rational upper_square_root(const Rational& squared);
 
-// Points and distances in doubles. Where products of a few coordinates would be no doubles,
+// Points and distances in doubles. Where products of a few coordinates would not be doubles,
 // everything is scaled by one power of two, so that the filters decide as much as they do
 // elsewhere.
 class Rounding {

@@ -9,6 +9,7 @@
 
 #include "kernel/complex/polytope.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/within/hull_faces.hpp"

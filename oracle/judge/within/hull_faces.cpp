@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
@@ -87,16 +88,15 @@ class Wrapping {
     const int turn = orientation(points_.configuration(), axes, plane);
     std::vector<Simplex> triangles = {on};
     if (on.size() > 3) triangles = triangulate_by_sweep(points_, axes, on, {});
-    for_each_facet(facet_uses(triangles), [&](std::span<const FacetUse> uses) {
-      if (uses.size() > 1) return;
+    for (const auto uses : ByFacet(facet_uses(triangles))) {
+      if (uses.size() > 1) continue;
       const FacetUse& use = uses.front();
-      Simplex corners = use.facet;
-      corners.push_back(triangles[use.simplex][use.opposite]);
-      Edge edge = {corners[0], corners[1]};
-      if (orientation(points_.configuration(), axes, corners) != turn)
+      Edge edge = {use.facet[0], use.facet[1]};
+      const Vertex apex = triangles[use.simplex][use.opposite];
+      if (side_of_facet(points_.configuration(), axes, use.facet, apex) != turn)
         std::swap(edge.first, edge.second);
       if (open_.erase({edge.second, edge.first}) == 0) open_.emplace(edge, plane);
-    });
+    }
     faces_.push_back(std::move(on));
   }
 

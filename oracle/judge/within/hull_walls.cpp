@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
@@ -55,15 +56,15 @@ class Walls {
     const std::vector<Simplex> triangles =
         triangulate_by_sweep(given_.points, axes, face, {segments.begin(), segments.end()});
     const std::vector<FacetUse> uses = facet_uses(triangles);
-    for_each_facet(uses, [&](std::span<const FacetUse> at_edge) {
+    for (const auto at_edge : ByFacet(uses)) {
       if (at_edge.size() == 1) segments.insert(at_edge.front().facet);
-    });
+    }
     result_.segments.insert(result_.segments.end(), segments.begin(), segments.end());
     DisjointSets parts(triangles.size());
-    for_each_facet(uses, [&](std::span<const FacetUse> at_edge) {
-      if (segments.contains(at_edge.front().facet)) return;
+    for (const auto at_edge : ByFacet(uses)) {
+      if (segments.contains(at_edge.front().facet)) continue;
       parts.unite(at_edge[0].simplex, at_edge[1].simplex);
-    });
+    }
     const std::set<EdgeSide> covered = sides_of_polygons(face, axes);
     std::map<std::size_t, std::vector<Simplex>> bare;
     std::set<std::size_t> not_bare;
@@ -97,10 +98,8 @@ class Walls {
                                    const std::vector<std::size_t>& axes) const {
     std::vector<EdgeSide> sides;
     for (std::size_t place = 0; place < 3; ++place) {
-      Simplex corners = facet_opposite(triangle, place);
-      const Simplex edge = corners;
-      corners.push_back(triangle[place]);
-      sides.emplace_back(edge, orientation(configuration_, axes, corners));
+      const Simplex edge = facet_opposite(triangle, place);
+      sides.emplace_back(edge, side_of_facet(configuration_, axes, edge, triangle[place]));
     }
     return sides;
   }

@@ -29,9 +29,9 @@ struct ImageComplex {
   std::optional<Simplex> sides_differ = {};
 };
 
-// complex.overlap if images intersect: then the mesh is no complex either. `regions` are those of
-// the domain's complex. `moved`: of each point of the mesh that is in an image, may it be off the
-// cell that carries it?
+// complex.overlap if images intersect: then the mesh is not a complex either. `regions` are those
+// of the domain's complex. `moved`: of each point of the mesh that is in an image, may it be off
+// the cell that carries it?
 tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images,
                                                     const std::vector<bool>& moved,
                                                     const ExactMesh& mesh, const Cells& cells,

@@ -94,6 +94,8 @@ class Images {
   bool has_image(Cell cell, const Rational& squared_reach) const;
   ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
   ImageOr<std::vector<Vertex>> found_path(std::size_t segment, const Rational& squared_reach) const;
+  std::optional<Patch> patch_of_triangle(std::size_t polygon, const SeenFromAbove& seen,
+                                         const Rational& squared_reach) const;
   ImageOr<Patch> found_patch(std::size_t polygon, const Rational& squared_reach) const;
 
   const ExactMesh& mesh_;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <thread>
 #include <utility>
 
 #include "kernel/complex/polytope.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
@@ -158,7 +158,7 @@ std::vector<bool> vertices_of(const ExactMesh& mesh, const PiecewiseLinearComple
   return std::move(places.used);
 }
 
-// The vertices of the mesh that are no image of a vertex of the domain.
+// The vertices of the mesh that are not the image of a vertex of the domain.
 void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
                         const ReachAnswer& answer, Verdict& verdict) {
   SteinerPoints count;
@@ -222,6 +222,50 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   return verdict;
 }
 
+// The domain with the faces of its convex hull for walls.
+PiecewiseLinearComplex with_hull_as_walls(const PiecewiseLinearComplex& complex,
+                                          bool by_definition) {
+  const PointSet& points = complex.points;
+  std::vector<std::vector<Vertex>> faces;
+  if (points.dimension() == static_cast<int>(points.ambient_dimension())) {
+    faces = by_definition ? facets_by_definition(points, all_vertices(points)) : hull_faces(points);
+  }
+  return with_hull_walls(complex, faces);
+}
+
+// The verdict that the cells have no images up to this distance.
+Verdict verdict_beyond(Claim claim, const ExactMesh& mesh, const ReachAnswer& answer,
+                       const CellsOfDomain& domain, const Rational& squared_distance,
+                       const Options& options) {
+  Verdict verdict(claim, mesh, options.max_violations);
+  for (const Violation& breach : answer.breaches) {
+    verdict.add(breach.rule, domain.in_own_words(breach.witness));
+  }
+  assert(!verdict.holds());
+  verdict.beyond = squared_distance;
+  return verdict;
+}
+
+// The verdict of the exact claim, if that settles the matter. `are_known`: it is known of a large
+// mesh of doubles that its simplices are sound, so only the listed faces may need that verdict.
+template <class Exactly>
+std::optional<Verdict> settled_exactly(Claim claim, const ExactMesh& mesh, const Domain& domain,
+                                       bool are_known, const Exactly& exactly) {
+  const bool is_empty = domain.complex.points.empty();
+  if (are_known && !is_empty) {
+    Verdict listed(claim, 1);
+    if (judge_listed_faces(mesh, domain.complex.ambient_dimension(), listed)) return std::nullopt;
+    return exactly();
+  }
+  Verdict exact = exactly();
+  if (exact.holds() || is_empty || is_unsound(exact)) return exact;
+  return std::nullopt;
+}
+
+tl::unexpected<NotJudged> left_open(std::string why) {
+  return tl::unexpected(NotJudged{std::move(why), false});
+}
+
 }  // namespace
 
 tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh,
@@ -235,83 +279,53 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     if (verdict.holds()) verdict.within = Within{};
     return verdict;
   };
-  const bool is_empty = domain.complex.points.empty();
-  // Of a large mesh of doubles it is known that its simplices are sound. If not, the exact claim
-  // says it.
   const bool is_hull = domain.complex.kind == DomainKind::kHull;
-  const bool is_bent_hull = is_hull && flat != nullptr;
-  if (known == nullptr || flat != nullptr || is_empty) {
-    Verdict exact = exactly();
-    if (exact.holds() || is_empty || is_unsound(exact)) return exact;
-  } else {
-    Verdict listed(claim, mesh, options.max_violations);
-    if (!judge_listed_faces(mesh, domain.complex.ambient_dimension(), listed)) return exactly();
-  }
-  if (is_bent_hull) {
-    return tl::unexpected(
-        NotJudged{"The claim does not hold exactly. A convex hull is not judged at any other "
-                  "distance where polygons are joined by angle: leave out the angle of "
-                  "--merge-coplanar.",
-                  false});
+  const bool are_known = known != nullptr && flat == nullptr;
+  const auto settled = settled_exactly(claim, mesh, domain, are_known, exactly);
+  if (settled) return *settled;
+  if (is_hull && flat != nullptr) {
+    return left_open(
+        "The claim does not hold exactly. A convex hull is not judged at any other distance where "
+        "polygons are joined by angle: leave out the angle of --merge-coplanar.");
   }
   const bool by_definition = options.by == By::kDefinition;
   if (is_hull && by_definition && domain.complex.points.size() > kMostPointsByDefinition) {
-    return tl::unexpected(
-        NotJudged{"By definition every plane through three vertices is tried for a face of the "
-                  "convex hull, and here there are too many of them: judge by lemma.",
-                  false});
+    return left_open(
+        "By definition every plane through three vertices is tried for a face of the convex hull, "
+        "and here there are too many of them: judge by lemma.");
   }
   std::optional<PiecewiseLinearComplex> walled;
-  if (is_hull) {
-    const PointSet& points = domain.complex.points;
-    const bool is_full = points.dimension() == static_cast<int>(points.ambient_dimension());
-    std::vector<std::vector<Vertex>> faces;
-    if (is_full)
-      faces =
-          by_definition ? facets_by_definition(points, all_vertices(points)) : hull_faces(points);
-    walled = with_hull_walls(domain.complex, faces);
-  }
+  if (is_hull) walled = with_hull_as_walls(domain.complex, by_definition);
   const Cells cells(walled ? *walled : domain.complex, markers);
   const Regions regions = walled ? Regions(*walled) : domain.regions();
   const std::vector<bool> used = vertices_of(mesh, domain.complex, regions);
   const CellsOfDomain all{domain, cells, regions, domain.complex.polygons.size()};
   if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
-    return tl::unexpected(
-        NotJudged{"By definition every set of triangles near a polygon is tried, and here there "
-                  "are too many of them: judge by lemma.",
-                  false});
+    return left_open(
+        "By definition every set of triangles near a polygon is tried, and here there are too many "
+        "of them: judge by lemma.");
   }
   Work unlimited;
   const ReachAnswer answer =
-      by_definition
-          ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
-          : least_reach(mesh, used, cells, regions, squared_distance,
-                        options.threads > 0 ? options.threads
-                                            : std::max(1U, std::thread::hardware_concurrency()),
-                        work != nullptr ? *work : unlimited);
-  switch (answer.kind) {
-    case ReachAnswer::Kind::kAmbiguous:
-    case ReachAnswer::Kind::kOpen:
-      return tl::unexpected(not_judged(answer, mesh, all));
-    case ReachAnswer::Kind::kTooMuchWork:
-      return tl::unexpected(NotJudged{"The search for the least distance was given up.", false});
-    case ReachAnswer::Kind::kNone:
-      break;
-    case ReachAnswer::Kind::kFound:
-      if (sign(answer.squared_reach) == 0 && flat == nullptr) {
-        Verdict exact = exactly();
-        exact.within = Within{};
-        return exact;
-      }
-      return judge_images(claim, mesh, used, all, answer, options, known);
+      by_definition ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
+                    : least_reach(mesh, used, cells, regions, squared_distance, threads_of(options),
+                                  work != nullptr ? *work : unlimited);
+  using Kind = ReachAnswer::Kind;
+  if (answer.kind == Kind::kAmbiguous || answer.kind == Kind::kOpen) {
+    return tl::unexpected(not_judged(answer, mesh, all));
   }
-  Verdict verdict(claim, mesh, options.max_violations);
-  for (const Violation& breach : answer.breaches) {
-    verdict.add(breach.rule, all.in_own_words(breach.witness));
+  if (answer.kind == Kind::kTooMuchWork) {
+    return left_open("The search for the least distance was given up.");
   }
-  assert(!verdict.holds());
-  verdict.beyond = squared_distance;
-  return verdict;
+  if (answer.kind == Kind::kNone) {
+    return verdict_beyond(claim, mesh, answer, all, squared_distance, options);
+  }
+  if (sign(answer.squared_reach) != 0 || flat != nullptr) {
+    return judge_images(claim, mesh, used, all, answer, options, known);
+  }
+  Verdict exact = exactly();
+  exact.within = Within{};
+  return exact;
 }
 
 }  // namespace circumspect::check

@@ -182,6 +182,7 @@ TEST_CASE(
   CHECK(both_answers(boxes) == "holds 3");
 }
 
+// The diagonals of the sides do not end in the vertices of the wall that are moved down.
 TEST_CASE("within: markers say which facets are a polygon, where there is a choice") {
   // Two cubes with a wall between them, and a flat tetrahedron in the wall. From above a vertex is
   // near, which sees two of its facets inside their circumballs.
@@ -202,18 +203,9 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   const std::vector<Simplex> upper_facets = {sorted({low[0], low[1], low[3]}),
                                              sorted({low[1], low[2], low[3]})};
   std::vector<Simplex> boundary = upper_facets;
-  boundary.push_back({high[0], high[1], high[2]});
-  boundary.push_back({high[0], high[2], high[3]});
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t j = (i + 1) % 4;
-    // Diagonals that a vertex of the wall does not end that is moved down.
-    const std::size_t end = i % 2 == 0 ? j : i, other = i % 2 == 0 ? i : j;
-    boundary.push_back({low[end], high[end], high[other]});
-    boundary.push_back({low[end], low[other], high[other]});
-  }
-  for (Simplex triangle : boundary) {
-    triangle.push_back(at(2, 2, 5));
-    mesh.simplices.push_back(triangle);
+  add_sides_and_top(low, high, boundary);
+  for (const Simplex& triangle : boundary) {
+    mesh.simplices.push_back(with_apex(triangle, at(2, 2, 5)));
   }
   mesh.simplices.push_back({low[0], low[1], low[2], low[3]});
   mesh = moved_vertex(mesh, {0, 0, 4}, {0, 0, -bits(3)});
@@ -234,7 +226,7 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   };
   const std::size_t lowest = not_local();
   markers.of_triangles[upper_facets[0]] = 5;
-  CHECK(not_local() == lowest);  // one of them is no image
+  CHECK(not_local() == lowest);  // one of them is not an image
   markers.of_triangles[upper_facets[1]] = 6;
   CHECK(not_local() == lowest);
   markers.of_triangles[upper_facets[1]] = 5;
@@ -242,7 +234,7 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   for (const std::size_t opposite : {std::size_t{1}, std::size_t{3}}) {
     markers.of_triangles[sorted({low[0], low[2], low[opposite]})] = 5;
   }
-  CHECK(not_local() == lowest);  // all four are no image
+  CHECK(not_local() == lowest);  // none of the four is an image
   markers.of_polygons.assign(markers.of_polygons.size(), 0);
   CHECK(not_local() == lowest);
 }
@@ -428,7 +420,7 @@ TEST_CASE("within: in the plane the points on an edge of a convex hull are on it
        {{0, 7, 8}, {7, 6, 8}, {6, 5, 8}, {5, 4, 8}, {4, 3, 8}, {3, 2, 8}, {2, 1, 8}, {1, 0, 8}}},
       square};
   CHECK(both_answers(moved) == "holds 0");
-  // A vertex rounded in, one out: their triangles are no hull any more.
+  // A vertex rounded in, one out: their triangles are not a hull any more.
   moved.mesh = moved_vertex(moved.mesh, {4, 1}, {-bits(2), 0});
   moved.mesh = moved_vertex(moved.mesh, {0, 2}, {-bits(1), 0});
   CHECK(both_answers(moved) == "holds 2");

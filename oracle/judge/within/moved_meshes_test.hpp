@@ -221,4 +221,18 @@ Sheet random_sheet(Random& random) {
   return {{slanted(mesh), domain_of(slanted(input))}, stray};
 }
 
+// The sides and the top of a box, by its lower and its upper corners. The diagonals of the sides
+// end in every second corner below.
+inline void add_sides_and_top(const Vertex (&low)[4], const Vertex (&high)[4],
+                              std::vector<Simplex>& triangles) {
+  triangles.push_back({high[0], high[1], high[2]});
+  triangles.push_back({high[0], high[2], high[3]});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    const std::size_t end = i % 2 == 0 ? j : i, other = i % 2 == 0 ? i : j;
+    triangles.push_back({low[end], high[end], high[other]});
+    triangles.push_back({low[end], low[other], high[other]});
+  }
+}
+
 }  // namespace circumspect::check

@@ -63,7 +63,7 @@ TEST_CASE("polygons are joined up to a distance from one plane, and not beyond i
   PiecewiseLinearInput with_seam = bent_square(3);
   with_seam.segments = {{2, 0}};
   CHECK(joined_polygons(with_seam, 3) == 2);
-  // The same height upon a short triangle is an angle.
+  // The same height of a corner bends a short triangle by too great an angle.
   PiecewiseLinearInput steep = bent_square(3);
   steep.points[3] = {Rational(1, 2) - kBit, Rational(1, 2) + kBit, 3 * kBit};
   CHECK(joined_polygons(steep, 3) == 2);

@@ -290,24 +290,28 @@ class PatchSearch {
 
 }  // namespace
 
+// Where only the images of its three vertices are near a triangle, theirs is its image or nothing
+// is.
+std::optional<Patch> Images::patch_of_triangle(std::size_t polygon, const SeenFromAbove& seen,
+                                               const Rational& squared_reach) const {
+  const std::vector<Simplex>& triangles = cells_.complex().polygons[polygon].triangles;
+  if (triangles.size() != 1 || reaches_.near({2, polygon}).size() != 3) return std::nullopt;
+  const Simplex own = seen.own(triangles.front());
+  Simplex triangle;
+  for (const Vertex v : own) {
+    triangle.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));
+  }
+  const auto& faces = faces_.triangles_near(polygon);
+  const bool is_face = std::binary_search(faces.begin(), faces.end(), sorted(triangle));
+  if (!is_face || seen.turn(triangle) <= 0) return std::nullopt;
+  return Patch{{triangle}, {own}};
+}
+
 ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_reach) const {
   const PiecewiseLinearComplex& complex = cells_.complex();
   const Cell cell = {2, polygon};
   const SeenFromAbove seen = seen_from_above(polygon);
-  // Where only the images of its three vertices are near a triangle, theirs is its image or nothing
-  // is.
-  if (complex.polygons[polygon].triangles.size() == 1 && reaches_.near(cell).size() == 3) {
-    const Simplex own = seen.own(complex.polygons[polygon].triangles.front());
-    Simplex triangle;
-    for (const Vertex v : own) {
-      triangle.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));
-    }
-    const auto& faces = faces_.triangles_near(polygon);
-    if (std::binary_search(faces.begin(), faces.end(), sorted(triangle)) &&
-        seen.turn(triangle) > 0) {
-      return Patch{{triangle}, {own}};
-    }
-  }
+  if (auto patch = patch_of_triangle(polygon, seen, squared_reach)) return *std::move(patch);
   std::vector<Vertex> must_have;
   for (const Vertex v : complex.polygons[polygon].vertices) {
     must_have.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));

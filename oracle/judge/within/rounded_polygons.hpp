@@ -21,7 +21,7 @@ struct CutPolygons {
 // The triangles of one polygon follow one another, and those segments between them that are not
 // listed have only two of them; so `nearly_coplanar_polygons_joined` can put them together again.
 // Nothing if the corners of a polygon are farther than the distance from every plane, or if it is
-// no polygon seen along the normal of the nearest one. Requires: points in space.
+// not a polygon seen along the normal of the nearest one. Requires: points in space.
 std::optional<CutPolygons> rounded_polygons_cut(const PiecewiseLinearInput& input,
                                                 const Rational& squared_distance);
 

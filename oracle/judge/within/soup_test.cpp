@@ -7,6 +7,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/within/held_to_definition_test.hpp"
 #include "properties/arguments/run.hpp"
 

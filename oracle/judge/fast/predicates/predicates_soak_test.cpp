@@ -11,6 +11,7 @@
 
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/complex/circumball.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/predicates/tuples_test.hpp"
 

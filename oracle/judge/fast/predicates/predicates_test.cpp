@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/circumball.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"

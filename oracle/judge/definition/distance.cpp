@@ -1,0 +1,71 @@
+#include "oracle/judge/definition/distance.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+
+namespace circumspect::definition {
+namespace {
+
+using Points = std::vector<Point>;
+
+// The squared distance between the affine hulls of some points, if one pair of points is nearest
+// and lies in the simplices. These are a_0 + Σ s_i u_i and b_0 + Σ t_j w_j, with their difference
+// at right angles to all u_i and w_j.
+std::optional<Rational> squared_distance_inside(const Points& a, const Points& b) {
+  Points directions;
+  for (std::size_t i = 1; i < a.size(); ++i) directions.push_back(a[i] - a[0]);
+  for (std::size_t j = 1; j < b.size(); ++j) directions.push_back(b[0] - b[j]);
+  Point difference = a[0] - b[0];
+  RationalMatrix products;
+  std::vector<Rational> right;
+  for (const Point& u : directions) {
+    products.emplace_back();
+    for (const Point& w : directions) products.back().push_back(inner_product(u, w));
+    right.push_back(-inner_product(u, difference));
+  }
+  const auto factors = solve(products, right);
+  if (!factors) return std::nullopt;
+  Rational rest_of_a = 1, rest_of_b = 1;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Rational& factor = (*factors)[i];
+    if (sign(factor) < 0) return std::nullopt;
+    difference = difference + factor * directions[i];
+    (i + 1 < a.size() ? rest_of_a : rest_of_b) -= factor;
+  }
+  if (sign(rest_of_a) < 0 || sign(rest_of_b) < 0) return std::nullopt;
+  return squared_length(difference);
+}
+
+// The places of the corners of all simplices of some points.
+std::vector<Simplex> simplices_of(const Points& points) {
+  std::vector<Simplex> all;
+  const std::size_t most = std::min(points.size(), points.front().size() + 1);
+  for (std::size_t size = 1; size <= most; ++size) {
+    for (Simplex& some : faces(first_subset(points.size()), size)) all.push_back(std::move(some));
+  }
+  return all;
+}
+
+Points at(const Points& points, const Simplex& places) {
+  Points some;
+  for (const Vertex i : places) some.push_back(points[static_cast<std::size_t>(i)]);
+  return some;
+}
+
+}  // namespace
+
+Rational squared_distance_between(const Points& a, const Points& b) {
+  std::optional<Rational> least;
+  for (const Simplex& of_a : simplices_of(a)) {
+    for (const Simplex& of_b : simplices_of(b)) {
+      const auto squared = squared_distance_inside(at(a, of_a), at(b, of_b));
+      if (squared && (!least || *squared < *least)) least = squared;
+    }
+  }
+  return *least;
+}
+
+}  // namespace circumspect::definition
