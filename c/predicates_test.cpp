@@ -12,6 +12,7 @@
 
 #include "c/calls_test.hpp"
 #include "kernel/exact/number.hpp"
+#include "kernel/exact/number_text.hpp"
 
 namespace circumspect::c {
 namespace {
