@@ -14,15 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The text with a plus sign in front of its first number.
-std::string with_plus(std::string text) {
-  std::size_t line = 0;
-  std::size_t token = text.find_first_not_of(" \t\r\n");
-  while (text[token] == '#') {
-    line = text.find('\n', token) + 1;
-    token = text.find_first_not_of(" \t\r\n", line);
+// Where the next number of a .ele file stands, from this place on; npos if there is none.
+std::size_t next_number(const std::string& text, std::size_t from) {
+  std::size_t token = text.find_first_not_of(" \t\r\n", from);
+  while (token != std::string::npos && text[token] == '#') {
+    token = text.find_first_not_of(" \t\r\n", text.find('\n', token));
   }
-  return text.insert(token, "+");
+  return token;
+}
+
+// The text with a plus sign in front of the index of its first simplex; as it is if it has none.
+std::string with_plus(std::string text) {
+  const std::size_t end_of_header = text.find('\n', next_number(text, 0));
+  const std::size_t index = next_number(text, end_of_header);
+  return index == std::string::npos ? text : text.insert(index, "+");
 }
 
 // Larger files take most of the time, and differ from small ones in nothing that options change.
@@ -41,9 +46,10 @@ struct CorpusMeshes {
   }
 
   void add(fs::path original, const std::string& name, bool is_small) {
-    const std::string ele = contents(original);
+    const std::string ele = contents(original), other = with_plus(ele);
+    if (other == ele) return;  // an empty mesh is read into flat arrays anyway
     scratch.write("fast/" + name + ".ele", ele);
-    scratch.write("slow/" + name + ".ele", with_plus(ele));
+    scratch.write("slow/" + name + ".ele", other);
     for (const std::string beside : {".node", ".neigh"}) {
       original.replace_extension(beside);
       if (!fs::exists(original)) continue;
