@@ -55,7 +55,7 @@ mark_as_advanced(CIRCUMSPECT_MOLD)
 add_library(circumspect_settings INTERFACE)
 target_include_directories(circumspect_settings INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/include")
-target_compile_options(circumspect_settings INTERFACE -ffp-contract=off)
+target_compile_options(circumspect_settings INTERFACE -ffp-contract=off)  # the filters' bounds are proved for that
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(circumspect_settings INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
