@@ -9,6 +9,7 @@
 
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/number_text.hpp"
+#include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/bytes/text_lines.hpp"
 

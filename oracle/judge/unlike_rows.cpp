@@ -82,15 +82,18 @@ std::optional<UnlikeRows> unlike_rows(const IndexLists& a, const IndexLists& b,
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
   if (a.size() > kMost || b.size() > kMost || points_of_b > kMost) return std::nullopt;
   if (a.columns() != b.columns()) return std::nullopt;
-  return a.visit([&]<class ListsOfA>(const ListsOfA& of_a) {
-    return b.visit([&]<class ListsOfB>(const ListsOfB& of_b) -> std::optional<UnlikeRows> {
-      if constexpr (!std::is_same_v<ListsOfA, std::vector<Simplex>> &&
-                    !std::is_same_v<ListsOfB, std::vector<Simplex>>) {
-        if (of_a.columns() == 3) return unlike_of<3>(of_a, of_b, place_in_b, points_of_b);
-        if (of_a.columns() == 4) return unlike_of<4>(of_a, of_b, place_in_b, points_of_b);
-      }
-      return std::nullopt;
-    });
+  using Unlike = std::optional<UnlikeRows>;
+  return a.visit([&]<class ListsOfA>(const ListsOfA& of_a) -> Unlike {
+    if constexpr (!std::is_same_v<ListsOfA, std::vector<Simplex>>) {
+      return b.visit([&]<class ListsOfB>(const ListsOfB& of_b) -> Unlike {
+        if constexpr (!std::is_same_v<ListsOfB, std::vector<Simplex>>) {
+          if (of_a.columns() == 3) return unlike_of<3>(of_a, of_b, place_in_b, points_of_b);
+          if (of_a.columns() == 4) return unlike_of<4>(of_a, of_b, place_in_b, points_of_b);
+        }
+        return std::nullopt;
+      });
+    }
+    return std::nullopt;
   });
 }
 
