@@ -280,7 +280,7 @@ function(circumspect_test target)
   circumspect_compile_quickly(${target})
   circumspect_compile_test(${target})
   if(sanitized_in_part AND ARG_SOURCES MATCHES "${PROJECT_SOURCE_DIR}/oracle/formats/")
-    # Tests of readers hold no headers for users, as those of arrays do: what they call is looked at.
+    # Unlike those of arrays, these tests compile no headers for users: what they call is looked at.
     target_compile_options(${target} PRIVATE -fno-sanitize=undefined)
   endif()
   circumspect_precompile(${target} tests)
