@@ -39,9 +39,10 @@ quietly /usr/bin/python3 -m build --sdist --no-isolation --outdir "$copy/made" "
 [ -z "${CIRCUMSPECT_ONLY_SOURCES:-}" ] || exit 0
 
 "$here/wheel_libraries.sh" "$folder/libraries"
-# Their headers are the system's, from the same sources.
-archives=(-DCIRCUMSPECT_gmp_gmpxx="$folder/libraries/lib/libgmpxx.a" -DCIRCUMSPECT_gmp_gmp="$folder/libraries/lib/libgmp.a"
-          -DCIRCUMSPECT_mpfr_mpfr="$folder/libraries/lib/libmpfr.a")
+# Their headers are the system's, from the same sources. CGAL looks for them by names of its own.
+gmp=$folder/libraries/lib/libgmp.a gmpxx=$folder/libraries/lib/libgmpxx.a mpfr=$folder/libraries/lib/libmpfr.a
+archives=(-DCIRCUMSPECT_gmp_gmpxx="$gmpxx" -DCIRCUMSPECT_gmp_gmp="$gmp" -DCIRCUMSPECT_mpfr_mpfr="$mpfr"
+          -DGMPXX_LIBRARIES="$gmpxx" -DGMP_LIBRARY_RELEASE="$gmp" -DGMP_LIBRARY_DEBUG="$gmp" -DMPFR_LIBRARIES="$mpfr")
 for python in "$@"; do
   # The layers are the same for all; what the last Python left in the cache is not. Functions that
   # nobody calls are left out.
