@@ -156,7 +156,7 @@ bool JsonEvents::end_of_simplex() {
 
 bool JsonEvents::parse_error(std::size_t, const std::string& last_token,
                              const nlohmann::json::exception& error) {
-  error_ = text_.fault(last_token, error);
+  error_ = text_.fault(last_token, error, " (a string may hold more)");
   return false;
 }
 

@@ -20,12 +20,13 @@ std::size_t JsonText::line() {
   return line_;
 }
 
-FormatError JsonText::fault(const std::string& last_token, const nlohmann::json::exception& error) {
+FormatError JsonText::fault(const std::string& last_token, const nlohmann::json::exception& error,
+                            std::string_view beyond) {
   const auto found = [this](std::string expected, std::string what) {
     return FormatError{source_.name, line(), std::move(expected), std::move(what)};
   };
   if (error.id == kNumberOverflow) {
-    return found("a number within the range of double (a string may hold more)", quote(last_token));
+    return found("a number within the range of double" + std::string(beyond), quote(last_token));
   }
   // The message ends with the parser's own: "…- invalid literal; last read: 'nan'".
   const std::string_view message = error.what();

@@ -30,8 +30,9 @@ class JsonText {
   const std::string& file() const { return source_.name; }
   // Of the event whose function is being called.
   std::size_t line();
-  // What the event parse_error means.
-  FormatError fault(const std::string& last_token, const nlohmann::json::exception& error);
+  // What the event parse_error means. `beyond` says what to write for a number beyond double.
+  FormatError fault(const std::string& last_token, const nlohmann::json::exception& error,
+                    std::string_view beyond = "");
 
  private:
   // Feeds the text to the parser and records how far it has read, which its events do not say.

@@ -121,6 +121,8 @@ TEST_CASE("rings: faults of GeoJSON and their lines") {
   CHECK(of_geojson("{\"type\": {}}") == "f:1: expected the name of a type, found an object");
   CHECK(of_geojson("[[[0, 0],\n[1, \"0\"]]]") ==
         "f:2: expected a coordinate, found the string \"0\"");
+  CHECK(of_geojson("[[[0, 0], [1e400, 0], [0, 1]]]") ==
+        "f:1: expected a number within the range of double, found \"1e400\"");
   CHECK(of_geojson("[[[0, 0], 1]]") == "f:1: expected a list, found \"1\"");
   CHECK(of_geojson("[[0, [0]]]") == "f:1: expected a coordinate, found a list");
   CHECK(of_geojson("[[[[[0, 0]]]]]") ==
