@@ -161,6 +161,7 @@ def test_numbers_of_rings_are_exact():
 
 
 @pytest.mark.parametrize("shape, message", [
+    ("[" * 100000, "too deep in one another"), ('{"type": "GeometryCollection", "geometries": [' * 50000, "too deep in one another"),
     ("POLYGON ((0 0, 4 0, 4 4)", "line 1 of WKT: expected ',' or '\\)', found the end"),
     ("POLYGON (0 0, 4 0, 4 4)", r"expected '\(' or EMPTY, found '0'"),
     ("\nCIRCULARSTRING (0 0, 1 1, 2 0)", "line 2 of WKT: expected a geometry of straight lines"),
@@ -172,6 +173,13 @@ def test_numbers_of_rings_are_exact():
 def test_rings_that_are_none_are_refused(shape, message):
     with pytest.raises(ValueError, match=message):
         circumspect.Domain.from_rings(shape)
+
+
+def test_a_list_that_holds_itself_is_refused():
+    ring: list = []
+    ring.append(ring)
+    with pytest.raises(ValueError, match="found lists of depth 5"):
+        circumspect.Domain.from_rings(ring)
 
 
 def test_what_is_untidy_is_resolved_if_asked():

@@ -56,7 +56,11 @@ def geometries_of(shape: Any, number: Callable[[str], Any]) -> Iterator[Part]:
     """Each geometry, whatever holds it."""
     if isinstance(shape, str):
         if shape.lstrip().startswith(("{", "[")):
-            yield from geometries_of(json.loads(shape, parse_float=number), number)
+            try:
+                read = json.loads(shape, parse_float=number)
+            except RecursionError:
+                raise ValueError("expected GeoJSON, found lists or objects too deep in one another") from None
+            yield from geometries_of(read, number)
         else:
             yield from of_wkt(shape, number)
         return
@@ -191,7 +195,7 @@ def listed(value: Any) -> Optional[list]:
 def depth_of(value: Any) -> int:
     """Of lists in lists."""
     depth, inner = 0, listed(value)
-    while inner is not None:
+    while inner is not None and depth < 5:  # a list may hold itself
         depth += 1
         inner = listed(inner[0]) if inner else None
     return depth
