@@ -1,7 +1,7 @@
 # What a layer is to the build: a folder, a library made of it, and the tests that sit beside it.
 #
-#   circumspect_layer(NAME FOLDER [UNTIMED] [DEPENDS layer...] [LINKS library...] [TEST_DEPENDS
-#   layer...])
+#   circumspect_layer(NAME FOLDER [UNTIMED] [LIGHT] [DEPENDS layer...] [LINKS library...]
+#                     [TEST_DEPENDS layer...])
 #     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none)
 #     test     NAME_test          FOLDER/*_test.cpp
 #     test     NAME_cgal_test     FOLDER/*_cgal_test.cpp, the only tests that see CGAL
@@ -10,13 +10,22 @@
 # compiler three fifths of the time. Where tests are built it does so with all layers that use the
 # precompiled headers: compiling them takes longer than what the tests do.
 #
+# LIGHT: what the tests have it do is soon done. Where Clang compiles the tests it compiles these
+# layers, too, and does not optimize, which takes two fifths of GCC's time.
+#
 # The name of a test file says when it runs:
 #     *_slow_test.cpp, *_slow_property.cpp   label `slow`: not under the sanitizers
 #     *_soak_test.cpp, *_soak_property.cpp   label `soak`: only by `make soak`
 # The sanitizers' build does not compile either.
 
+# Does Clang compile the tests, and may the layers that do light work go with them?
+set(circumspect_tests_by_clang OFF)
+if(CIRCUMSPECT_BUILD_TESTS AND CIRCUMSPECT_TEST_LAUNCHER AND CIRCUMSPECT_MOLD AND CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
+  set(circumspect_tests_by_clang ON)
+endif()
+
 function(circumspect_layer name folder)
-  cmake_parse_arguments(ARG "UNTIMED" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNTIMED;LIGHT" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
   set(directory "${PROJECT_SOURCE_DIR}/${folder}")
   file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp")
   file(GLOB tests CONFIGURE_DEPENDS "${directory}/*_test.cpp")
@@ -71,6 +80,8 @@ function(circumspect_layer name folder)
   if(sources AND ARG_DEPENDS AND NOT built_elsewhere)
     if(folder MATCHES "^properties/")
       circumspect_precompile(circumspect_${name} properties)
+    elseif(ARG_LIGHT AND circumspect_tests_by_clang)
+      circumspect_precompile(circumspect_${name} light_layers)
     elseif((ARG_UNTIMED OR CIRCUMSPECT_BUILD_TESTS) AND CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
       circumspect_precompile(circumspect_${name} untimed_layers)
     else()
@@ -85,11 +96,15 @@ function(circumspect_layer name folder)
 endfunction()
 
 # The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags
-# agree share them precompiled: KIND is `layers`, `untimed_layers`, `properties` (with RapidCheck),
-# or `tests` (with doctest). GCC takes the level of optimization from the precompiled header,
-# whatever is asked of the file. Nothing of the project is among them, so that a change in the
-# project makes none anew. A file must still include what it uses: without the option, as in a plain
-# preset, each is compiled as it stands.
+# agree share them precompiled: KIND is `layers`, `untimed_layers`, `light_layers`, `properties`
+# (with RapidCheck), or `tests` (with doctest). GCC takes the level of optimization from the
+# precompiled header, whatever is asked of the file. A file must still include what it uses:
+# without the option, as in a plain preset, each is compiled as it stands.
+#
+# Of the project, what nearly every file includes is among them where tests are built, so that a
+# change elsewhere makes none anew: it takes a third of the time of what Clang compiles.
+set(circumspect_headers_of_all "${PROJECT_SOURCE_DIR}/oracle/model/domain.hpp"
+    "${PROJECT_SOURCE_DIR}/oracle/model/verdict.hpp" "${PROJECT_SOURCE_DIR}/oracle/model/mesh.hpp")
 function(circumspect_precompile target kind)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
@@ -108,11 +123,9 @@ function(circumspect_precompile target kind)
     if(kind MATCHES "layers" AND CIRCUMSPECT_BUILD_FUZZERS)
       target_compile_options(${shared} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
-    if(kind STREQUAL "untimed_layers")
-      target_compile_options(${shared} PRIVATE -O1)
-    elseif(kind STREQUAL "properties")
+    circumspect_compile_as(${shared} ${kind})
+    if(kind STREQUAL "properties")
       circumspect_compile_quickly(${shared})
-      target_compile_options(${shared} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
       target_link_libraries(${shared} PRIVATE rapidcheck)
       list(APPEND headers <rapidcheck.h>)
     elseif(kind STREQUAL "tests")
@@ -121,23 +134,37 @@ function(circumspect_precompile target kind)
       target_link_libraries(${shared} PRIVATE rapidcheck doctest::doctest)
       list(APPEND headers <rapidcheck.h> <doctest/doctest.h>)
     endif()
+    if(CIRCUMSPECT_BUILD_TESTS)
+      list(APPEND headers ${circumspect_headers_of_all})
+      if(NOT kind MATCHES "^(untimed_)?layers$")  # GCC wants definitions to agree
+        target_link_libraries(${shared} PRIVATE fmt::fmt nlohmann_json::nlohmann_json)
+        list(APPEND headers <fmt/format.h> <nlohmann/json.hpp>)
+      endif()
+    endif()
     if(NOT kind STREQUAL "tests")
       circumspect_compile_for_sharing(${shared})
     endif()
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
-  if(kind STREQUAL "untimed_layers")
-    target_compile_options(${target} PRIVATE -O1)
-  elseif(kind STREQUAL "properties")
-    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
-  endif()
+  circumspect_compile_as(${target} ${kind})
   # Flags have to agree: what is shared is position-independent as a library is, not as a program
   # is.
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "EXECUTABLE" AND NOT kind STREQUAL "tests")
     set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     target_compile_options(${target} PRIVATE -fPIC)
+  endif()
+endfunction()
+
+# How much a kind of targets is optimized, where that is not as the preset says.
+function(circumspect_compile_as target kind)
+  if(kind STREQUAL "light_layers" OR (kind STREQUAL "properties" AND circumspect_tests_by_clang))
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_TEST_LAUNCHER}"
+                                               CIRCUMSPECT_LIGHT ON)
+  elseif(kind STREQUAL "untimed_layers" OR kind STREQUAL "properties")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
   endif()
 endfunction()
 
@@ -167,13 +194,15 @@ function(circumspect_link_quickly target)
 endfunction()
 
 # Test and layer both have their copies of std::vector's functions and the like. mold takes those of
-# whichever file it is given first. Layers come before the test, so that they run the code that they
-# were compiled to: a test is not optimized, and its copies would slow the layers down by a third.
+# whichever file it is given first. Layers come before the test, and those that are optimized first,
+# so that they run the code that they were compiled to: the copies of a test, which is not
+# optimized, would slow them down by a third.
 function(circumspect_prefer_archives target)
   if(NOT CIRCUMSPECT_QUICK_BUILD OR NOT CIRCUMSPECT_MOLD OR NOT CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
     return()
   endif()
   set(archives "")
+  set(light "")
   foreach(library IN LISTS ARGN)
     if(TARGET ${library})
       get_target_property(of_library ${library} CIRCUMSPECT_ARCHIVES)
@@ -184,6 +213,13 @@ function(circumspect_prefer_archives target)
   endforeach()
   list(REMOVE_DUPLICATES archives)
   foreach(archive IN LISTS archives)
+    get_target_property(is_light ${archive} CIRCUMSPECT_LIGHT)
+    if(is_light)
+      list(REMOVE_ITEM archives ${archive})
+      list(APPEND light ${archive})
+    endif()
+  endforeach()
+  foreach(archive IN LISTS archives light)
     target_link_options(${target} PRIVATE $<TARGET_FILE:${archive}>)
   endforeach()
 endfunction()
@@ -213,7 +249,7 @@ endfunction()
 # std::vector's functions from it, and where there are no tests, as in what is shipped, GCC
 # optimizes it a little.
 function(circumspect_compile_front target)
-  if(CIRCUMSPECT_BUILD_TESTS AND CIRCUMSPECT_TEST_LAUNCHER AND CIRCUMSPECT_MOLD)
+  if(circumspect_tests_by_clang)
     target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_TEST_LAUNCHER}")
     circumspect_link_quickly(${target})
@@ -232,7 +268,7 @@ set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/(process|targets))"
 # `make test` runs these under the sanitizers alone. `make check`, `make soak` and `make mutants`
 # run them in the release.
 option(CIRCUMSPECT_LEAVE_TO_SANITIZERS "Leave out the tests that the sanitizers of make test run" OFF)
-set(values_folders "^(oracle/judge$|(kernel|reference|inputs|properties|oracle/(model|certificate|report|picture)|oracle/judge/(cause|complex|conditions|convex_hull|definition|domain|fast/predicates|periodic|points|quality|surface|voronoi|within))(/|$))")
+set(values_folders "^(oracle/judge$|(kernel|reference|construct|inputs|properties|oracle/(domain|model|certificate|report|picture)|oracle/judge/(cause|complex|conditions|convex_hull|definition|domain|fast/predicates|periodic|points|quality|surface|voronoi|within))(/|$))")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)

@@ -73,7 +73,7 @@ class Reader {
     const auto clauses = number(next_word(rest));
     if (!is_header || !variables || !clauses || *variables < 0 || *clauses < 0 ||
         *variables > kLargestVariable || !next_word(rest).empty()) {
-      return Fault{kHeader, quoted(line)};
+      return Fault{kHeader, in_quotes(line)};
     }
     formula_.variables = *variables;
     clauses_ = *clauses;
@@ -85,7 +85,7 @@ class Reader {
       const auto literal = number(word);
       if (!literal || std::abs(*literal) > formula_.variables) {
         const std::string most = std::to_string(formula_.variables);
-        return Fault{"a literal between -" + most + " and " + most + ", or 0", quoted(word)};
+        return Fault{"a literal between -" + most + " and " + most + ", or 0", in_quotes(word)};
       }
       if (*literal != 0) {
         clause_.push_back(*literal);

@@ -185,7 +185,7 @@ bool read_step(std::string_view line, ProofStep& step) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string shown;
   for (const char c : text.substr(0, kLongest)) shown += c < ' ' || c > '~' ? '?' : c;
@@ -199,7 +199,7 @@ tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text) 
     ProofStep step;
     if (!read_step(text.substr(0, end), step)) {
       return tl::make_unexpected(MalformedProof{line, "literals and a 0, after d for a deletion",
-                                                quoted(text.substr(0, end))});
+                                                in_quotes(text.substr(0, end))});
     }
     refutation.push_back(std::move(step));
     text.remove_prefix(std::min(end + 1, text.size()));

@@ -34,7 +34,7 @@ struct MalformedProof {
 };
 
 // A text from a file between quotes: short enough for a message, and printable on a terminal.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 // Reads DRAT's text: a line a step, the clause's literals and 0, after `d` for a deletion.
 tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text);

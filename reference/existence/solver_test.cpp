@@ -97,8 +97,8 @@ TEST_CASE("proof files: malformed lines are named") {
   CHECK(read_refutation("1 0\n2 0\n+ 0").error().found == "'+ 0'");
   CHECK(read_refutation("1 0\n\n").error().found == "''");
   // Quoted text is short and printable.
-  CHECK(quoted("a\tb\x1b[2J\xff") == "'a?b?[2J?'");
-  CHECK(quoted(std::string(41, '1')) == "'" + std::string(40, '1') + "…'");
+  CHECK(in_quotes("a\tb\x1b[2J\xff") == "'a?b?[2J?'");
+  CHECK(in_quotes(std::string(41, '1')) == "'" + std::string(40, '1') + "…'");
 }
 
 }  // namespace
