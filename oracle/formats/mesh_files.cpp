@@ -39,7 +39,7 @@ tl::unexpected<FormatError> no_points(const Source& source) {
   Lines lines(source);
   lines.next();
   return lines.fail_at(0, "a file of points (" + endings_of(&Format::has_points) +
-                              ") or a domain (.poly, .smesh, .stl)");
+                              ") or a domain (.poly, .smesh)");
 }
 
 Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
@@ -297,6 +297,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   SimplexFile& simplices = contents->simplices;
   if (may_be_of_plane(request) && !needs_space(simplices, contents->faces)) {
     leave_out_height(file, request.domain_height);
+  file.is_surface = format->is_surface && mesh.dimension() == 3;
   }
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());

@@ -91,6 +91,7 @@ struct MeshFile {
   std::map<Simplex, Vertex> face_markers = {};
   std::string points_name = {};  // of the files, for messages
   std::string mesh_name = {};
+  bool is_surface = false;  // of a format of surfaces alone, and its points are not in a plane
   std::optional<Rational> height = {};  // the third coordinate of all points, which was left out
   std::vector<std::string> notes = {};  // what was read differently from the files, a line each
 };

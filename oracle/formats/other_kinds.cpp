@@ -39,8 +39,6 @@ constexpr std::array kOtherKinds = {
     OtherKind{".x3d", "an X3D model", "write it as PLY or OBJ"},
     OtherKind{".poly", "a domain", "inspect IN.poly, or check MESH --domain IN.poly"},
     OtherKind{".smesh", "a domain", "inspect IN.smesh, or check MESH --domain IN.smesh"},
-    OtherKind{".stl", "a surface, which is a domain",
-              "inspect IN.stl, or check MESH --domain IN.stl"},
 };
 
 }  // namespace
