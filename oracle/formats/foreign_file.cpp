@@ -27,7 +27,6 @@ constexpr std::array kSignatures = {
     Signature{"\xfd"
               "7zXZ"sv,
               "a file that xz packed (unpack it first)"},
-    Signature{"\x28\xb5\x2f\xfd"sv, "a file that zstd packed (unpack it first)"},
     Signature{"PK\x03\x04"sv, "a ZIP archive (unpack it first)"},
     Signature{"version https://git-lfs."sv,
               "a pointer of Git LFS in place of the file (git lfs pull fetches it)"},

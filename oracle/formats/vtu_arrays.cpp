@@ -10,6 +10,7 @@
 #include "oracle/formats/base64.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/lz4.hpp"
+#include "oracle/formats/lzma.hpp"
 
 namespace circumspect::formats {
 
@@ -102,8 +103,19 @@ Status VtuDocument::read_attributes() {
   const std::string compressor = root().attribute("compressor").value();
   if (compressor == "vtkZLibDataCompressor") unpack_ = unpack_zlib;
   if (compressor == "vtkLZ4DataCompressor") unpack_ = unpack_lz4;
+  if (compressor == "vtkLZMADataCompressor") {
+    unpack_ = lzma_unpacker();
+    if (unpack_ == nullptr) {
+      return fail(root(), "no compressor, vtkZLibDataCompressor or vtkLZ4DataCompressor",
+                  quote(compressor) +
+                      " (write it with another, or build Circumspect where Debian's liblzma-dev is "
+                      "installed)");
+    }
+  }
   if (unpack_ == nullptr && !compressor.empty()) {
-    return fail(root(), "no compressor, vtkZLibDataCompressor or vtkLZ4DataCompressor",
+    return fail(root(),
+                "no compressor, vtkZLibDataCompressor, vtkLZ4DataCompressor or "
+                "vtkLZMADataCompressor",
                 quote(compressor));
   }
   const std::size_t per_byte = unpack_ != nullptr ? kNumbersPerPackedByte : kNumbersPerByte;

@@ -1,5 +1,5 @@
 // Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
-// document, raw or in base 64, compressed by zlib, by LZ4 or not.
+// document, raw or in base 64, compressed by zlib, by LZ4, by LZMA or not.
 #pragma once
 
 #include <cstddef>
