@@ -25,7 +25,6 @@ constexpr std::array kOtherKinds = {
     OtherKind{".brep", "a BREP geometry", "gmsh -3 IN.brep -o IN.msh"},
     OtherKind{".med", "a mesh of Salome", "python3-meshio and python3-h5py"},
     OtherKind{".cgns", "a CGNS mesh", "python3-meshio and python3-h5py"},
-    OtherKind{".xdmf", "an XDMF mesh", "python3-meshio and python3-h5py"},
     OtherKind{".e", "an Exodus mesh", "python3-meshio and python3-netcdf4"},
     OtherKind{".exo", "an Exodus mesh", "python3-meshio and python3-netcdf4"},
     OtherKind{".h5m", "a MOAB mesh", "python3-meshio and python3-h5py"},

@@ -23,11 +23,6 @@ constexpr std::size_t kNumbersOfSmallFile = 100'000;
 constexpr std::size_t kNumbersPerByte = 1;
 constexpr std::size_t kNumbersPerPackedByte = 12;
 
-std::size_t line_at(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-}
-
 bool unpack_zlib(std::string_view block, std::span<char> to) {
   uLongf made = to.size();
   return ::uncompress(reinterpret_cast<Bytef*>(to.data()), &made,
@@ -36,6 +31,11 @@ bool unpack_zlib(std::string_view block, std::span<char> to) {
 }
 
 }  // namespace
+
+std::size_t line_at(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+}
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
