@@ -81,8 +81,8 @@ if(circumspect_reads_files)
 endif()
 
 # circumspect_find_optional(NAME DEFINITION HEADER LIBRARY DEBIAN PACKAGE WITHOUT text)
-# makes the target circumspect::NAME, which has nothing but says so where the library is not there or
-# -DDEFINITION=OFF: what needs it is then refused when it is met.
+# makes the target circumspect::NAME. It is empty, which CMake says, where the library is not there
+# and under -DDEFINITION=OFF: what needs it is then refused when it is met.
 function(circumspect_find_optional name definition header library)
   cmake_parse_arguments(ARG "" "DEBIAN;WITHOUT" "" ${ARGN})
   option(${definition} "Read what ${library} packed (needs ${ARG_DEBIAN})" ON)

@@ -20,9 +20,8 @@ namespace circumspect::formats {
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
-// The same of what is packed: ".ele" of x.ele.gz and x.ele.zst; and ".foam" of the folder of a case of
-// OpenFOAM.
-// What is read is asked by this.
+// The same of what is packed: ".ele" of x.ele.gz and x.ele.zst; and ".foam" of the folder of a case
+// of OpenFOAM. What is read is asked by this.
 std::string extension_inside(const std::string& path);
 
 // The file beside another that has this ending instead: x.1.node beside x.1.ele, or x.1.node.gz or

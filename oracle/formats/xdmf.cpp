@@ -14,8 +14,8 @@ namespace {
 
 using enum ElementShape;
 
-// Types of elements: the number in a mixed list, the nodes, 0 where the list or NodesPerElement says
-// how many.
+// Types of elements: the number in a mixed list, and the nodes, 0 where the list or NodesPerElement
+// says how many.
 struct Topology {
   std::string_view name;
   ElementType type;

@@ -19,9 +19,9 @@ namespace circumspect::formats {
 // Does the text begin as an XDMF file does?
 bool is_xdmf(std::string_view text);
 
-// The first grid that has both points and elements of its own; a note counts the others. Numbers are
-// text in the file, in a file of HDF5 (hdf5.hpp), or the bytes of a binary one; both must lie in the
-// folder of this file or below it. Points are counted from 0.
+// The first grid that has both points and elements of its own; a note counts the others. Numbers
+// are text in the file, in a file of HDF5 (hdf5.hpp), or the bytes of a binary one; both must lie
+// in the folder of this file or below it. Points are counted from 0.
 Result<ElementFile> read_xdmf(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats

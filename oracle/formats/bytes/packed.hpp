@@ -17,8 +17,9 @@ std::string_view name_inside(std::string_view path);
 std::string packed_or_not(const std::string& path);
 
 // load(), and unpacked if its first bytes are those of gzip or zstd, whatever its name. Lines in
-// messages are those of what is in it. Errors: also, data that cannot be unpacked, and more than a mesh of
-// this size is known to pack: a megabyte, or two hundred times the size of the file.
+// messages are those of what is in it. Errors: also, data that cannot be unpacked, and
+// more than a mesh of this size is known to pack: a megabyte, or two hundred times the size of the
+// file.
 Result<Source> load_unpacked(const std::string& path);
 
 }  // namespace circumspect::formats
