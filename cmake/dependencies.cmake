@@ -80,6 +80,34 @@ if(circumspect_reads_files)
   circumspect_find_library(zlib zlib.h z DEBIAN zlib1g-dev)
 endif()
 
+# circumspect_find_optional(NAME DEFINITION HEADER LIBRARY DEBIAN PACKAGE WITHOUT text)
+# makes the target circumspect::NAME. It is empty, which CMake says, where the library is not there
+# and under -DDEFINITION=OFF: what needs it is then refused when it is met.
+function(circumspect_find_optional name definition header library)
+  cmake_parse_arguments(ARG "" "DEBIAN;WITHOUT" "" ${ARGN})
+  option(${definition} "Read what ${library} packed (needs ${ARG_DEBIAN})" ON)
+  add_library(circumspect::${name} INTERFACE IMPORTED GLOBAL)
+  if(NOT EMSCRIPTEN)  # it would find the libraries of this machine
+    find_path(CIRCUMSPECT_${name}_INCLUDE "${header}")
+    find_library(CIRCUMSPECT_${name}_LIBRARY "${library}")
+    mark_as_advanced(CIRCUMSPECT_${name}_INCLUDE CIRCUMSPECT_${name}_LIBRARY)
+  endif()
+  if(${definition} AND CIRCUMSPECT_${name}_INCLUDE AND CIRCUMSPECT_${name}_LIBRARY)
+    target_include_directories(circumspect::${name} SYSTEM INTERFACE "${CIRCUMSPECT_${name}_INCLUDE}")
+    target_compile_definitions(circumspect::${name} INTERFACE ${definition})
+    target_link_libraries(circumspect::${name} INTERFACE "${CIRCUMSPECT_${name}_LIBRARY}")
+  else()
+    message(STATUS "${ARG_WITHOUT} (without ${ARG_DEBIAN})")
+  endif()
+endfunction()
+
+if(circumspect_reads_files)
+  circumspect_find_optional(zstd CIRCUMSPECT_ZSTD zstd.h zstd DEBIAN libzstd-dev
+                            WITHOUT "Files that zstd packed are not read")
+  circumspect_find_optional(lzma CIRCUMSPECT_LZMA lzma.h lzma DEBIAN liblzma-dev
+                            WITHOUT "Arrays that LZMA packed in .vtu files are not read")
+endif()
+
 # Its place can be taken by threads of our own, which share out the work a little worse.
 option(CIRCUMSPECT_PLAIN_THREADS "Judge without oneTBB, as is done where there is none" OFF)
 if(NOT CIRCUMSPECT_PLAIN_THREADS AND NOT CIRCUMSPECT_STATIC AND NOT EMSCRIPTEN AND NOT TARGET TBB::tbb)

@@ -15,8 +15,8 @@ documents=/usr/share/doc
 packages=(libgmp-dev libmpfr-dev libcgal-dev libexpected-dev libfmt-dev nlohmann-json3-dev libpugixml-dev zlib1g-dev
           'libboost[0-9]*-dev')
 case $artefact in
-  archive) packages+=(libcadical-dev libcli11-dev libc6-dev 'libstdc++-[0-9]*-dev' ocaml libzarith-ocaml-dev) ;;
-  command) packages+=(libcadical-dev libcli11-dev libc6-dev 'libstdc++-[0-9]*-dev') ;;  # without circumspect-verified
+  archive) packages+=(libzstd-dev liblzma-dev libcadical-dev libcli11-dev libc6-dev 'libstdc++-[0-9]*-dev' ocaml libzarith-ocaml-dev) ;;
+  command) packages+=(libzstd-dev liblzma-dev libcadical-dev libcli11-dev libc6-dev 'libstdc++-[0-9]*-dev') ;;  # without circumspect-verified
   page) packages+=(libcadical-dev libcli11-dev emscripten) ;;
   wheel) packages+=(libcadical-dev libcli11-dev) ;;  # which the command brings along
   *) echo "cmake/licences.sh: expected archive, command, page or wheel, found $artefact" >&2; exit 2 ;;

@@ -28,6 +28,9 @@ licence_of() {
     nlohmann/json) echo 'nlohmann-json3-dev Lohmann' ;;
     pugixml) echo 'libpugixml-dev Kapoulkine' ;;
     zlib) echo 'zlib1g-dev Adler' ;;
+    # Page and wheel are built without these.
+    zstd) [ "$artefact" != archive ] || echo 'libzstd-dev Facebook' ;;
+    liblzma) [ "$artefact" != archive ] || echo 'liblzma-dev Collin' ;;
     oneTBB | "plain threads") ;;  # in no artefact: each has threads of its own, or links the user's
     *) fail "expected a library that this test knows, found $1 in --version: add its licence here and in licences.sh" ;;
   esac

@@ -21,6 +21,8 @@ libfmt-dev            formatted text
 nlohmann-json3-dev    JSON
 libpugixml-dev        XML, in which VTK writes meshes
 zlib1g-dev            their compressed arrays
+libzstd-dev           files that zstd packed
+liblzma-dev           arrays that LZMA compressed, in files of VTK
 libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
 libtbb-dev            threads of the fast judge (oneTBB)

@@ -59,7 +59,7 @@ tail -n 1 "$log"
 libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf 'lib%s-dev:arm64 ' $name; done)
 step "installing what compiles for arm64, and qemu" inside \
   "dpkg --add-architecture arm64 && apt-get -q update &&
-   apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 $libraries \
+   apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 libzstd-dev:arm64 liblzma-dev:arm64 $libraries \
      build-essential debhelper dpkg-dev fakeroot lintian qemu-user"
 cat >"$root/root/circumspect/build/arm64.cmake" <<'END'
 set(CMAKE_SYSTEM_NAME Linux)

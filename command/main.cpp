@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,8 @@
 #include "command/subcommands.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
+#include "oracle/formats/bytes/zstd.hpp"
+#include "oracle/formats/lzma.hpp"
 #include "oracle/model/printable.hpp"
 #include "reference/existence/solver.hpp"
 
@@ -42,16 +45,26 @@ namespace {
 
 using circumspect::cli::ExitCode;
 
+// ", zstd 1.5.4" and the like, of those that this program was built with.
+std::string optional_libraries() {
+  std::string text;
+  for (const auto& [name, version] : {std::pair{"zstd", circumspect::formats::version_of_zstd()},
+                                      {"liblzma", circumspect::formats::version_of_lzma()}}) {
+    if (!version.empty()) text += fmt::format(", {} {}", name, version);
+  }
+  return text;
+}
+
 std::string version() {
   return fmt::format(
       "circumspect {} ({}, {}, {}, {{fmt}} {}.{}.{}, CLI11 {}, nlohmann/json {}.{}.{}, pugixml "
       "{}.{}, "
-      "zlib {}), commit {}",
+      "zlib {}{}), commit {}",
       CIRCUMSPECT_VERSION, circumspect::number_libraries(), circumspect::cli::built_with(),
       circumspect::existence::solver_version(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
       FMT_VERSION % 100, CLI11_VERSION, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
       NLOHMANN_JSON_VERSION_PATCH, PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100,
-      zlibVersion(), circumspect::cli::built_from());
+      zlibVersion(), optional_libraries(), circumspect::cli::built_from());
 }
 
 struct Subcommand {

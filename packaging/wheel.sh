@@ -49,7 +49,7 @@ for python in "$@"; do
   quietly cmake -S "$root" -B "$folder/build" -G Ninja -U 'Python3_*' -U '_Python3_*' -DPython3_EXECUTABLE="$(command -v "$python")" \
     "${archives[@]}" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCIRCUMSPECT_QUICK_BUILD=ON \
     -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_PYTHON=ON -DCIRCUMSPECT_PYTHON_COMMAND=ON \
-    -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_INSTALL=OFF \
+    -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_INSTALL=OFF -DCIRCUMSPECT_ZSTD=OFF -DCIRCUMSPECT_LZMA=OFF \
     -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root=. -ffunction-sections -fdata-sections" \
     -DCMAKE_MODULE_LINKER_FLAGS="-L$folder/libraries/lib -Wl,--gc-sections -static-libstdc++"
   rm -f "$folder"/build/python/circumspect/_core.*.so

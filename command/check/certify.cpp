@@ -24,7 +24,6 @@
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/default_claim.hpp"
-#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -107,9 +106,9 @@ void certify(const CertifyOptions& options, Output& output) {
   }
   const Claim claim = options.asked.value_or(check::default_claim(loaded->mesh, about));
   const check::Options judging = {.by = options.by, .threads = threads};
-  if (const std::string missing = check::fault_of_claim(claim, loaded->mesh, judging);
-      !missing.empty()) {
-    output.error(ExitCode::kInputFault, "mesh", options.mesh, options.mesh + ": " + missing);
+  fault = fault_of_loaded(claim, *loaded, judging);
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
     return;
   }
   output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));

@@ -21,7 +21,6 @@
 #include "command/subcommands.hpp"
 #include "oracle/judge/cause/causes.hpp"
 #include "oracle/judge/default_claim.hpp"
-#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
@@ -125,9 +124,9 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
       return;
     }
   }
-  const std::string fault = check::fault_of_claim(claim, loaded->mesh, options.check);
+  const std::string fault = fault_of_loaded(claim, *loaded, options.check);
   if (!fault.empty()) {
-    output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
+    output.error(ExitCode::kInputFault, "mesh", path, fault);
     return;
   }
   if (misses_measures(path, loaded->mesh, options, output)) return;

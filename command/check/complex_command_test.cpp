@@ -1,5 +1,6 @@
 // check --claim complex: its options, what is refused, and the notes about it beside other claims.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "command/run_command.hpp"
 
@@ -67,6 +68,43 @@ TEST_CASE("check --claim complex: a surface that is open, and equal points that 
   const Run merged = judged(crack, {"--duplicates", "merge"});
   CHECK(merged.exit_code == 0);
   CHECK(has(merged.out, " 1 part 4 boundary-facets positive\n"));
+}
+
+TEST_CASE("check: an STL surface is judged by itself, and refused where a mesh has to fill") {
+  const ScratchFolder folder;
+  const auto facet = [](const char* a, const char* b, const char* c) {
+    return fmt::format(
+        "facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\n"
+        "endfacet\n",
+        a, b, c);
+  };
+  const std::string half = "solid\n" + facet("0 0 0", "0 1 0", "1 0 0") +
+                           facet("0 0 0", "1 0 0", "0 0 1") + facet("0 0 0", "0 0 1", "0 1 0");
+  const std::string whole =
+      folder.write("whole.stl", half + facet("1 0 0", "0 1 0", "0 0 1") + "endsolid\n");
+  const Run held = judged(whole, {"--closed", "--manifold", "--oriented"});
+  CHECK(held.exit_code == 0);
+  CHECK(has(held.out, " 4 points 4 triangles 1 part 0 boundary-facets"));
+  CHECK(run({"check", whole, "--claim", "surface-delaunay"}).exit_code == 0);
+  CHECK(run({"check", whole, "--claim", "convex-hull"}).exit_code == 0);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"check", whole},
+                                                  {"check", whole, "--claim", "triangulation"},
+                                                  {"certify", whole, "-o", folder.path("c")}}) {
+    const Run refused = run(command);
+    CHECK(refused.exit_code == 3);
+    CHECK(has(refused.err, "found a surface (check --claim complex " + whole));
+  }
+  const std::string cracked =
+      folder.write("cracked.stl", half + facet("1 0 0", "0 1 0", "0 0 1.0000000000000002") +
+                                      facet("0 0 1", "0 0 1", "1 0 0") + "endsolid\n");
+  const Run failed = judged(cracked, {"--closed"});
+  CHECK(failed.exit_code == 1);
+  CHECK(has(failed.out, "simplex.repeated-vertex"));
+  CHECK(has(failed.out, "5 points"));
+  // In one plane it is a mesh as any other.
+  CHECK(run({"check",
+             folder.write("flat.stl", "solid\n" + facet("0 0 5", "1 0 5", "0 1 5") + "endsolid\n")})
+            .exit_code == 0);
 }
 
 TEST_CASE("check --claim complex: what contradicts itself is refused, and what makes no sense") {

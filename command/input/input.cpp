@@ -188,6 +188,7 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                     std::move(file->height)};
   const std::string fault = choose_coordinates(loaded, options);
   if (!fault.empty()) return tl::unexpected(fault);
+  loaded.is_surface = file->is_surface && loaded.mesh.dimension() == 3;
   return loaded;
 }
 

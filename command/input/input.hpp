@@ -56,6 +56,7 @@ struct LoadedMesh {
       {};                               // as MeshFile has them; none where points were merged
   std::optional<Rational> height = {};  // likewise
   std::vector<Duplicate> merged = {};   // equal points, by places in the file, counted from 0
+  bool is_surface = false;              // as MeshFile has it
 };
 
 // Of the domain that a mesh is held against: its dimension and, if it is in the plane and its

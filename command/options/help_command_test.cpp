@@ -135,7 +135,8 @@ TEST_CASE("version: this program, its libraries and the commit") {
       version.out,
       std::regex("circumspect \\d+\\.\\d+\\.\\d+ \\(GMP [\\d.]+, MPFR [\\d.]+, CGAL [\\d.]+, "
                  "(oneTBB [\\d.]+|plain threads), CaDiCaL \\S+, \\{fmt\\} [\\d.]+, CLI11 [\\d.]+, "
-                 "nlohmann/json [\\d.]+, pugixml [\\d.]+, zlib [\\d.]+\\), "
+                 "nlohmann/json [\\d.]+, pugixml [\\d.]+, zlib [\\d.]+(, zstd [\\d.]+)?(, liblzma "
+                 "[\\d.]+)?\\), "
                  "commit ([0-9a-f]{7,40}(-modified)?|unknown)\n")));
 }
 

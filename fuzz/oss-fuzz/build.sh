@@ -16,6 +16,6 @@ done
 # The libraries that the targets load, beside them: the machines that run them have none.
 mkdir -p "$OUT/lib"
 for target in "$OUT"/*_fuzz; do
-  ldd "$target" | awk '/(gmp|mpfr|fmt|cadical)/ { print $3 }' | xargs -r cp -L -t "$OUT/lib"
+  ldd "$target" | awk '/(gmp|mpfr|fmt|cadical|zstd|lzma)/ { print $3 }' | xargs -r cp -L -t "$OUT/lib"
   patchelf --set-rpath '$ORIGIN/lib' "$target"
 done

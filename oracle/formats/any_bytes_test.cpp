@@ -84,7 +84,10 @@ const std::vector<std::string> kSamples = {
     "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nCorners "
     "1\n1\nEdges 1\n1 2 0\nTriangles 1\n1 2 3 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n",
     "mtllib a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 \\\n3/1\nl -1 -2\n",
-    "id;x;y\n1;0.5;2\n2;1/3;4\n"};
+    "id;x;y\n1;0.5;2\n2;1/3;4\n",
+    "<Xdmf><Domain><Grid><Geometry GeometryType=\"XY\"><DataItem Dimensions=\"3 2\">0 0 1 0 0 1"
+    "</DataItem></Geometry><Topology TopologyType=\"Mixed\"><DataItem Dimensions=\"8\">4 0 1 2 2 2 "
+    "0 1</DataItem></Topology></Grid></Domain></Xdmf>"};
 
 // Draws one of the forms of a mesh of elements.
 const WrittenMesh kElements = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}},

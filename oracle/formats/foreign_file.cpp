@@ -11,6 +11,7 @@
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/vtu.hpp"
+#include "oracle/formats/xdmf.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -27,7 +28,6 @@ constexpr std::array kSignatures = {
     Signature{"\xfd"
               "7zXZ"sv,
               "a file that xz packed (unpack it first)"},
-    Signature{"\x28\xb5\x2f\xfd"sv, "a file that zstd packed (unpack it first)"},
     Signature{"PK\x03\x04"sv, "a ZIP archive (unpack it first)"},
     Signature{"version https://git-lfs."sv,
               "a pointer of Git LFS in place of the file (git lfs pull fetches it)"},
@@ -82,7 +82,9 @@ std::optional<std::string> foreign_kind(const Source& source) {
   // legacy format.
   if (is_vtu(source.text)) {
     const Format* const format = format_of(end);
-    if (format == nullptr || format->elements == read_vtu) return std::nullopt;
+    if (format == nullptr || format->elements == read_vtu || format->elements == read_xdmf) {
+      return std::nullopt;
+    }
     return "XML (if it is a mesh of VTK, give its name the extension .vtu)";
   }
   const Source beginning{source.name, source.text.substr(0, kLongestBeginning)};

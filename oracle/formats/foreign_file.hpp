@@ -10,7 +10,7 @@
 
 namespace circumspect::formats {
 
-// For a message "found …": "a file that gzip packed (unpack it first)"; nothing if the kind is
+// For a message "found …": "a file that bzip2 packed (unpack it first)"; nothing if the kind is
 // unknown. It looks only at the beginning, and is asked only once a reader has refused the file, so
 // it never causes a refusal.
 std::optional<std::string> foreign_kind(const Source& source);

@@ -50,6 +50,7 @@ struct Format {
   // Elements of all dimensions: points, a mesh, and unless it is said that all are cells, a domain.
   Result<ElementFile> (*elements)(const Source&, NumberReading) = nullptr;
   bool are_cells = false;
+  bool is_surface = false;  // triangles in space alone, which fill nothing
 
   // Writes a mesh with its points in one file; null if nothing does. Requires: points of dimension
   // 2 or 3, whose third coordinate is written as 0; vertices are counted from the first index of

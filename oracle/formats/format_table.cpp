@@ -29,6 +29,7 @@
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
 #include "oracle/formats/wkt.hpp"
+#include "oracle/formats/xdmf.hpp"
 
 namespace circumspect::formats {
 
@@ -190,6 +191,7 @@ bool is_medit(const Beginning& file) { return is_medit_keyword(file.first_token)
 bool is_gmsh(const Beginning& file) { return is_gmsh_keyword(file.first_token); }
 bool begins_as_vtk(const Beginning& file) { return is_vtk(file.text); }
 bool begins_as_vtu(const Beginning& file) { return is_vtu(file.text); }
+bool begins_as_xdmf(const Beginning& file) { return is_xdmf(file.text); }
 bool is_su2(const Beginning& file) { return is_su2_keyword(file.first_token); }
 bool is_tet(const Beginning& file) { return file.second_token == "vertices"; }
 bool is_obj(const Beginning& file) { return is_obj_keyword(file.first_token); }
@@ -224,7 +226,11 @@ constexpr std::array kFormats = {
            .points = points_of_off,
            .mesh = mesh_of_off,
            .domain = domain_of_off},
-    Format{.endings = {".stl"}, .is_told = is_stl, .domain = read_stl},
+    Format{.endings = {".stl"},
+           .is_told = is_stl,
+           .domain = read_stl,
+           .elements = read_stl_elements,
+           .is_surface = true},
     Format{.endings = {".geojson", ".json"},
            .is_told = begins_as_geojson,
            .is_meant = is_geojson_object,
@@ -235,6 +241,7 @@ constexpr std::array kFormats = {
     Format{.endings = {".mesh"}, .is_told = is_mfem, .is_meant = is_mfem, .elements = read_mfem},
     Format{.endings = {".msh"}, .is_meant = is_freefem, .elements = read_freefem},
     Format{.endings = {".vtk"}, .is_told = begins_as_vtk, .elements = read_vtk},
+    Format{.endings = {".xdmf", ".xmf"}, .is_told = begins_as_xdmf, .elements = read_xdmf},
     Format{.endings = {".vtu", ".vtp"},
            .is_told = begins_as_vtu,
            .elements = read_vtu,

@@ -38,8 +38,8 @@ Result<Source> load_named(const std::string& path) {
 tl::unexpected<FormatError> no_points(const Source& source) {
   Lines lines(source);
   lines.next();
-  return lines.fail_at(0, "a file of points (" + endings_of(&Format::has_points) +
-                              ") or a domain (.poly, .smesh, .stl)");
+  return lines.fail_at(
+      0, "a file of points (" + endings_of(&Format::has_points) + ") or a domain (.poly, .smesh)");
 }
 
 Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
@@ -225,8 +225,7 @@ std::string beside(const std::string& path, std::string_view ending) {
   const std::string inside(name_inside(path));
   std::string other = inside.substr(0, inside.size() - extension(inside).size());
   other += ending;
-  const std::string packed = other + ".gz";
-  return !exists(other) && exists(packed) ? packed : other;
+  return packed_or_not(other);
 }
 
 const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path) {
@@ -298,6 +297,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   if (may_be_of_plane(request) && !needs_space(simplices, contents->faces)) {
     leave_out_height(file, request.domain_height);
   }
+  file.is_surface = format->is_surface && mesh.dimension() == 3;
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());
   }

@@ -20,13 +20,12 @@ namespace circumspect::formats {
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
-// The same of what gzip packed: ".ele" of x.ele.gz; and ".foam" of the folder of a case of
-// OpenFOAM.
-// What is read is asked by this.
+// The same of what is packed: ".ele" of x.ele.gz and x.ele.zst; and ".foam" of the folder of a case
+// of OpenFOAM. What is read is asked by this.
 std::string extension_inside(const std::string& path);
 
-// The file beside another that has this ending instead: x.1.node beside x.1.ele, or x.1.node.gz if
-// only that is there.
+// The file beside another that has this ending instead: x.1.node beside x.1.ele, or x.1.node.gz or
+// x.1.node.zst if only that is there.
 std::string beside(const std::string& path, std::string_view ending);
 
 // Reads points of any format; "-" is standard input.
@@ -91,6 +90,7 @@ struct MeshFile {
   std::map<Simplex, Vertex> face_markers = {};
   std::string points_name = {};  // of the files, for messages
   std::string mesh_name = {};
+  bool is_surface = false;  // of a format of surfaces alone, and its points are not in a plane
   std::optional<Rational> height = {};  // the third coordinate of all points, which was left out
   std::vector<std::string> notes = {};  // what was read differently from the files, a line each
 };

@@ -289,7 +289,7 @@ TEST_CASE("what cannot be found or judged") {
   REQUIRE(!points);
   CHECK(points.error().to_string() == ele + ": expected a file of points (" +
                                           endings_of(&Format::has_points) + "), found a .ele file");
-  CHECK(endings_of(&Format::has_points).starts_with(".node, .json, .off, .mesh, "));
+  CHECK(endings_of(&Format::has_points).starts_with(".node, .json, .off, .stl, .mesh, "));
   CHECK(endings_of(&Format::has_domain).starts_with(".poly, .smesh, .off, .stl, "));
   CHECK(endings_in_help(&Format::has_mesh).starts_with(".ele (points in the .node beside it), "));
   const auto netgen = read_points(folder.write("x.vol", "mesh3d\n"), NumberReading::kDouble);

@@ -6,6 +6,7 @@
 
 #include "oracle/formats/bytes/text_lines.hpp"
 #include "oracle/formats/nastran_entries.hpp"
+#include "oracle/formats/nastran_systems.hpp"
 #include "oracle/formats/node_tags.hpp"
 
 namespace circumspect::formats {
@@ -45,7 +46,6 @@ constexpr std::array kEntryTypes = {
     EntryType{"CONROD", 1, 2, 2, kPolyline, kPolyline, "an edge"},
 };
 
-// Systems of coordinates that are not the basic one would move nodes.
 constexpr std::size_t kPlaceOfSystem = 1;
 
 class NastranReader {
@@ -58,7 +58,10 @@ class NastranReader {
  private:
   Status read_entry();
   Status read_node();
-  Status check_system() const;
+  // The system of coordinates of a node, 0 for the basic one.
+  Result<Vertex> read_system() const;
+  // Moves the nodes of other systems to the basic one.
+  Status place_nodes();
   Status read_element(const EntryType& type);
 
   NastranEntries entries_;
@@ -66,22 +69,60 @@ class NastranReader {
   NumberReading reading_;
   bool has_elements_ = false;
   std::vector<Vertex> tags_;
+  // Nodes of other systems than the basic one.
+  struct Moved {
+    std::size_t node = 0;
+    std::size_t line = 0;
+    Vertex system = 0;
+  };
+  std::vector<Moved> moved_;
+  NastranSystems systems_;
+  Vertex usual_system_ = 0;  // GRDSET
   Simplex vertices_;
   ElementFile file_;
 };
 
-Status NastranReader::check_system() const {
+Result<Vertex> NastranReader::read_system() const {
   const auto system = entries_.integer(kPlaceOfSystem, "a system of coordinates");
   if (!system) return tl::unexpected(system.error());
-  if (system->value_or(0) == 0) return {};
-  return entries_.fail_at(kPlaceOfSystem, "nodes in the basic system of coordinates, 0");
+  return system->value_or(entries_.entry().name == "GRID" ? usual_system_ : 0);
+}
+
+// Systems may be defined behind the nodes that are given in them.
+Status NastranReader::place_nodes() {
+  if (moved_.empty()) return {};
+  std::vector<Point> points = file_.points.points.points();
+  for (const Moved& moved : moved_) {
+    std::optional<Point> place = systems_.in_basic(points[moved.node], moved.system);
+    if (place) {
+      points[moved.node] = std::move(*place);
+      continue;
+    }
+    return tl::unexpected(
+        FormatError{name_, moved.line,
+                    "GRID " + std::to_string(tags_[moved.node]) +
+                        " in the basic system of coordinates, 0, or in one whose points have exact "
+                        "places there",
+                    systems_.words(moved.system) +
+                        " (write the mesh in the basic system: here it would have to be rounded)"});
+  }
+  PointRows placed;
+  placed.set_columns(3);
+  for (const Point& point : points) placed.push_back(point);
+  file_.points.points = std::move(placed);
+  file_.notes.push_back(name_ + ": " + std::to_string(moved_.size()) +
+                        " nodes are given in other systems of coordinates, and were moved from "
+                        "there exactly");
+  return {};
 }
 
 Status NastranReader::read_node() {
   const auto tag = entries_.integer(0, "the tag of a node");
   if (!tag) return tl::unexpected(tag.error());
   if (!*tag) return entries_.fail_at(0, "the tag of a node");
-  if (Status system = check_system(); !system) return system;
+  const Result<Vertex> system = read_system();
+  if (!system) return tl::unexpected(system.error());
+  if (*system != 0) moved_.push_back({tags_.size(), entries_.entry().line, *system});
   tags_.push_back(**tag);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     auto number = entries_.number(2 + axis, reading_);
@@ -119,7 +160,13 @@ Status NastranReader::read_element(const EntryType& type) {
 Status NastranReader::read_entry() {
   const std::string& name = entries_.entry().name;
   if (name == "GRID") return read_node();
-  if (name == "GRDSET") return check_system();
+  if (NastranSystems::defines(name)) return systems_.add(entries_, reading_);
+  if (name == "GRDSET") {
+    const Result<Vertex> system = read_system();
+    if (!system) return tl::unexpected(system.error());
+    usual_system_ = *system;
+    return {};
+  }
   if (name.starts_with("GRID ")) {  // a comma in a number, not behind the name
     return tl::unexpected(FormatError{name_, entries_.entry().line,
                                       "fields in columns, or each behind a comma", quote(name)});
@@ -141,6 +188,7 @@ Result<ElementFile> NastranReader::read() {
   }
   if (tags_.empty()) return entries_.fail_at_end("an entry GRID");
   if (!has_elements_) return entries_.fail_at_end("an entry of elements, as CTETRA");
+  if (Status placed = place_nodes(); !placed) return tl::unexpected(placed.error());
   Status tags = index_by_tags(file_, std::move(tags_), name_, "of a GRID");
   if (!tags) return tl::unexpected(tags.error());
   finish_elements(file_);

@@ -8,8 +8,9 @@
 //     +              5                            a line may go on after a blank, + or *
 //     ENDDATA
 //
-// All other entries (properties, materials, loads) are skipped. Nodes are taken as they are listed:
-// what would move them is an error.
+// All other entries (properties, materials, loads) are skipped. Nodes of other systems of
+// coordinates are moved to the basic one where that is exact (nastran_systems.hpp), and refused
+// elsewhere.
 #pragma once
 
 #include "kernel/exact/number.hpp"
@@ -24,8 +25,8 @@ namespace circumspect::formats {
 bool is_nastran(const Beginning& beginning);
 
 // Points are in the order of their tags and counted from the lowest (node_tags.hpp); properties are
-// labels. Errors: also, included files, and nodes in another system of coordinates than the basic
-// one.
+// labels. Errors: also, included files, and nodes in a system of coordinates that has no exact
+// place in the basic one.
 Result<ElementFile> read_nastran(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats

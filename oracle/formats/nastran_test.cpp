@@ -110,10 +110,6 @@ TEST_CASE("nastran: faults and their lines") {
   CHECK(nastran_error("GRID,,,1.\n") == "f:1: expected the tag of a node, found an empty field");
   CHECK(nastran_error("GRID,1,,0.,1,5\nGRID*,2,,0.,0.\n*,l.\n") ==
         "f:3: expected a finite number, found \"l.\"");
-  CHECK(nastran_error("GRID,1,2,0.,0.,0.\n") ==
-        "f:1: expected nodes in the basic system of coordinates, 0, found \"2\"");
-  CHECK(nastran_error("GRDSET,,3\n") ==
-        "f:1: expected nodes in the basic system of coordinates, 0, found \"3\"");
   CHECK(nastran_error("INCLUDE 'x.bdf'\n") == "f:1: expected a mesh in one file, found INCLUDE");
   CHECK(nastran_error(grid + "CTETRA,1,1,1,1,1\n") ==
         "f:2: expected a tetrahedron of 4 nodes, found an empty field");
@@ -121,6 +117,46 @@ TEST_CASE("nastran: faults and their lines") {
         "f:2: expected a node of an element, an integer of 64 bits, found \"1.5\"");
   CHECK(nastran_error(grid + grid + "CBAR,1,1,1,1\n") ==
         "f: expected a tag of its own for each node, found tag 1 twice");
+}
+
+TEST_CASE("nastran: nodes of other systems are moved exactly, wherever the system is defined") {
+  const std::string rest = "CBAR,1,1,1,2\n";
+  // Its third axis is (0, 3, 4), its first one (1, 0, 0).
+  const std::string turned = "CORD2R,7,,10.,0.,0.,10.,3.,4.\n,11.,0.,0.\n";
+  const std::string node = "GRID,1,7,1.,5.,10.\nGRID,2\n";
+  for (const std::string& text : {turned + node, node + turned}) {
+    const auto file = nastran(text + rest);
+    REQUIRE_MESSAGE(file, error_of(file));
+    CHECK(file->points.points == std::vector<Point>{{11, 10, 5}, {0, 0, 0}});
+    CHECK(file->notes.back().find("1 nodes are given in other systems") != std::string::npos);
+  }
+  const auto usual = nastran("GRDSET,,7\n" + turned + "GRID,1,,1.,5.,10.\nGRID,2,0\n" + rest);
+  REQUIRE_MESSAGE(usual, error_of(usual));
+  CHECK(usual->points.points == std::vector<Point>{{11, 10, 5}, {0, 0, 0}});
+}
+
+TEST_CASE(
+    "nastran: nodes of systems without exact places are refused, and never left as they are") {
+  const auto said = [](const std::string& system) {
+    return nastran_error(system + "GRID,1\nGRID,5,2,1.\nCBAR,1,1,1,5\n");
+  };
+  const auto has = [&](const std::string& system, const std::string& part) {
+    return said(system).find(part) != std::string::npos;
+  };
+  CHECK(said("CORD2C,2,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n") ==
+        "f:4: expected GRID 5 in the basic system of coordinates, 0, or in one whose points have "
+        "exact places there, found system 2, by CORD2C on line 1 a cylindrical one (write the mesh "
+        "in the basic system: here it would have to be rounded)");
+  CHECK(has("CORD2S,2,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n", "a spherical one"));
+  CHECK(has("CORD1R,2,1,2,3\n", "one that nodes define"));
+  CHECK(has("", "found system 2, which no CORD entry defines"));
+  const std::string irrational = "no rational directions, or that is given in another";
+  CHECK(has("CORD2R,2,,0.,0.,0.,0.,1.,1.\n,1.,0.,0.\n", irrational));
+  CHECK(has("CORD2R,2,1,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n", irrational));
+  CHECK(has("CORD2R,2,,0.,0.,0.,0.,0.,1.\n,0.,0.,2.\n", irrational));  // no plane
+  CHECK(has("CORD2R,2,,0.,0.,0.,0.,0.,x\n", "expected a finite number, found \"x\""));
+  const std::string twice = "CORD2R,2,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n";
+  CHECK(has(twice + twice, "f:3: expected a tag of its own for each system"));
 }
 
 TEST_CASE("nastran: the content tells it, whatever its name") {

@@ -25,7 +25,6 @@ constexpr std::array kOtherKinds = {
     OtherKind{".brep", "a BREP geometry", "gmsh -3 IN.brep -o IN.msh"},
     OtherKind{".med", "a mesh of Salome", "python3-meshio and python3-h5py"},
     OtherKind{".cgns", "a CGNS mesh", "python3-meshio and python3-h5py"},
-    OtherKind{".xdmf", "an XDMF mesh", "python3-meshio and python3-h5py"},
     OtherKind{".e", "an Exodus mesh", "python3-meshio and python3-netcdf4"},
     OtherKind{".exo", "an Exodus mesh", "python3-meshio and python3-netcdf4"},
     OtherKind{".h5m", "a MOAB mesh", "python3-meshio and python3-h5py"},
@@ -39,8 +38,6 @@ constexpr std::array kOtherKinds = {
     OtherKind{".x3d", "an X3D model", "write it as PLY or OBJ"},
     OtherKind{".poly", "a domain", "inspect IN.poly, or check MESH --domain IN.poly"},
     OtherKind{".smesh", "a domain", "inspect IN.smesh, or check MESH --domain IN.smesh"},
-    OtherKind{".stl", "a surface, which is a domain",
-              "inspect IN.stl, or check MESH --domain IN.stl"},
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 // What the header says, how many rows it announces, and where they begin.
 template <class Header>
-struct Beginning {
+struct BegunRows {
   Header header;
   std::size_t rows;
   std::size_t end;
@@ -20,13 +20,13 @@ struct Beginning {
 
 // `read(numbered)` reads the header as for the other reader. Nothing if there is a fault.
 template <class Header, class Read>
-std::optional<Beginning<Header>> beginning(const RandomAccess& file, const Read& read) {
+std::optional<BegunRows<Header>> beginning(const RandomAccess& file, const Read& read) {
   const std::optional<Source> text = beginning_of(file);
   if (!text) return std::nullopt;
   NumberedLines numbered(*text, "", "");
   const Result<Header> header = read(numbered);
   if (!header) return std::nullopt;
-  return Beginning<Header>{*header, numbered.count(),
+  return BegunRows<Header>{*header, numbered.count(),
                            text->text.size() - numbered.lines().bytes_left()};
 }
 
@@ -86,7 +86,7 @@ std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& re
 // `first_row` of the first row; false if there is none.
 template <class Index, class ToFlat>
 std::optional<PlainIndices<Index>> indices(const RandomAccess& file,
-                                           const Beginning<EleHeader>& begun,
+                                           const BegunRows<EleHeader>& begun,
                                            const PlainReading& reading, const ToFlat& to_flat) {
   const EleHeader& columns = begun.header;
   const std::optional<PlainRows> rows =

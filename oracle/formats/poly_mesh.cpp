@@ -14,7 +14,7 @@ namespace {
 // The file of this name in the folder, packed or not.
 std::string file_in(const std::string& folder, const char* name) {
   const std::string path = folder + "/" + name;
-  return !exists(path) && exists(path + ".gz") ? path + ".gz" : path;
+  return packed_or_not(path);
 }
 
 bool holds_mesh(const std::string& folder) {

@@ -1,5 +1,5 @@
 // Meshes of OpenFOAM: the folder polyMesh with the files points, faces, owner and neighbour, each
-// of which may be packed (.gz).
+// of which may be packed (.gz, .zst).
 //
 // A face lists its vertices around it; owner and neighbour give for each face the cell behind it
 // and, for those that are inside, the cell in front of it. Cells of four triangles are tetrahedra,

@@ -15,53 +15,39 @@ constexpr std::size_t kTriangle = 50;
 // Merges equal corners as triangles come in.
 class Surface {
  public:
-  explicit Surface(const std::string& name) {
-    file_.name = name;
-    file_.dimension = 3;
-  }
+  explicit Surface(const std::string& name) { surface_.name = name; }
 
   void note(std::size_t line, const std::string& text) {
-    file_.notes.push_back(file_.name + ":" + std::to_string(line) + ": " + text);
+    surface_.notes.push_back(surface_.name + ":" + std::to_string(line) + ": " + text);
   }
 
   void add(std::array<Point, 3> corners, std::size_t line) {
     Simplex triangle;
     for (Point& corner : corners) triangle.push_back(place_of_corner(std::move(corner)));
-    corners_ += 3;
-    if (!has_repeated_vertex(triangle)) {
-      add_facet(file_, {{std::move(triangle)}, {}}, line);
-      return;
-    }
-    ++collapsed_;
-    const Vertex other = triangle[0] == triangle[1] ? triangle[2] : triangle[1];
-    if (other != triangle[0]) add_segment(file_, {triangle[0], other}, line);
+    surface_.triangles.push_back(std::move(triangle));
+    surface_.lines.push_back(line);
   }
 
-  DomainFile finish() {
-    if (corners_ > file_.input.points.size()) {
-      file_.notes.push_back(file_.name + ": " + std::to_string(corners_) +
-                            " corners of triangles merged into " +
-                            std::to_string(file_.input.points.size()) + " points");
+  StlFile finish() {
+    const std::size_t corners = 3 * surface_.triangles.size();
+    if (corners > surface_.points.size()) {
+      surface_.notes.push_back(surface_.name + ": " + std::to_string(corners) +
+                               " corners of triangles merged into " +
+                               std::to_string(surface_.points.size()) + " points");
     }
-    if (collapsed_ > 0) {
-      file_.notes.push_back(file_.name + ": " + std::to_string(collapsed_) +
-                            " triangles with equal corners read as the segments that they are");
-    }
-    return std::move(file_);
+    return std::move(surface_);
   }
 
  private:
   Vertex place_of_corner(Point corner) {
-    const auto next = static_cast<Vertex>(file_.input.points.size());
+    const auto next = static_cast<Vertex>(surface_.points.size());
     const auto [entry, is_new] = places_.emplace(std::move(corner), next);
-    if (is_new) file_.input.points.push_back(entry->first);
+    if (is_new) surface_.points.push_back(entry->first);
     return entry->second;
   }
 
-  DomainFile file_;
+  StlFile surface_;
   std::map<Point, Vertex> places_;
-  std::size_t corners_ = 0;
-  std::size_t collapsed_ = 0;
 };
 
 class TextReader {
@@ -69,7 +55,7 @@ class TextReader {
   TextReader(const Source& source, NumberReading reading)
       : lines_(source), reading_(reading), surface_(source.name) {}
 
-  Result<DomainFile> read() {
+  Result<StlFile> read() {
     Status status = expect_words({"solid"}, true);
     if (!status) return tl::unexpected(status.error());
     while (true) {
@@ -171,7 +157,7 @@ Result<Point> read_corner(Bytes& bytes, const Source& source, const std::string&
   return corner;
 }
 
-Result<DomainFile> read_binary(const Source& source) {
+Result<StlFile> read_binary(const Source& source) {
   Bytes bytes(source.text, ByteOrder::kLittleEndian);
   const bool has_header = bytes.skip(kHeader);
   const auto count = has_header ? bytes.unsigned_integer(4) : std::nullopt;
@@ -214,9 +200,51 @@ bool is_binary(const Source& source) {
 
 }  // namespace
 
-Result<DomainFile> read_stl(const Source& source, NumberReading reading) {
+Result<StlFile> read_stl_file(const Source& source, NumberReading reading) {
   if (is_binary(source)) return read_binary(source);
   return TextReader(source, reading).read();
+}
+
+Result<DomainFile> read_stl(const Source& source, NumberReading reading) {
+  Result<StlFile> surface = read_stl_file(source, reading);
+  if (!surface) return tl::unexpected(surface.error());
+  DomainFile file;
+  file.name = source.name;
+  file.dimension = 3;
+  file.input.points = std::move(surface->points);
+  file.notes = std::move(surface->notes);
+  std::size_t collapsed = 0;
+  for (std::size_t i = 0; i < surface->triangles.size(); ++i) {
+    Simplex& triangle = surface->triangles[i];
+    if (!has_repeated_vertex(triangle)) {
+      add_facet(file, {{std::move(triangle)}, {}}, surface->lines[i]);
+      continue;
+    }
+    ++collapsed;
+    const Vertex other = triangle[0] == triangle[1] ? triangle[2] : triangle[1];
+    if (other != triangle[0]) add_segment(file, {triangle[0], other}, surface->lines[i]);
+  }
+  if (collapsed > 0) {
+    file.notes.push_back(file.name + ": " + std::to_string(collapsed) +
+                         " triangles with equal corners read as the segments that they are");
+  }
+  return file;
+}
+
+Result<ElementFile> read_stl_elements(const Source& source, NumberReading reading) {
+  Result<StlFile> surface = read_stl_file(source, reading);
+  if (!surface) return tl::unexpected(surface.error());
+  ElementFile file;
+  file.points.dimension = 3;
+  file.points.points.set_columns(3);
+  for (const Point& point : surface->points) file.points.points.push_back(point);
+  file.notes = std::move(surface->notes);
+  for (std::size_t i = 0; i < surface->triangles.size(); ++i) {
+    add_element(file, ElementShape::kPolygon, surface->triangles[i], "a triangle",
+                surface->lines[i]);
+  }
+  finish_elements(file);
+  return file;
 }
 
 }  // namespace circumspect::formats

@@ -114,6 +114,18 @@ TEST_CASE("stl: what is left of triangles with equal corners is noted") {
         "f: 3 triangles with equal corners read as the segments that they are");
 }
 
+TEST_CASE("stl as a mesh: equal corners are one vertex, near ones are not, no triangle vanishes") {
+  const auto file = read_stl_elements(
+      {"f", "solid\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("-0 0 0", "0 1 0", "0 0 1e-300") +
+                facet("0 1 0", "0 1 0", "1 0 0") + "endsolid\n"},
+      kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points.size() == 4);
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 2, 3}, {2, 2, 1}});
+  CHECK(file->triangles.lines[2] == 16);
+  CHECK(file->notes == std::vector<std::string>{"f: 9 corners of triangles merged into 4 points"});
+}
+
 TEST_CASE("stl in text: what is refused") {
   const std::string good = facet("0 0 0", "1 0 0", "0 1 0");
   CHECK(error_of(stl("solid\n" + good)) ==

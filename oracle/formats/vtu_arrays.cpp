@@ -10,6 +10,7 @@
 #include "oracle/formats/base64.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/lz4.hpp"
+#include "oracle/formats/lzma.hpp"
 
 namespace circumspect::formats {
 
@@ -22,11 +23,6 @@ constexpr std::size_t kNumbersOfSmallFile = 100'000;
 constexpr std::size_t kNumbersPerByte = 1;
 constexpr std::size_t kNumbersPerPackedByte = 12;
 
-std::size_t line_at(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-}
-
 bool unpack_zlib(std::string_view block, std::span<char> to) {
   uLongf made = to.size();
   return ::uncompress(reinterpret_cast<Bytef*>(to.data()), &made,
@@ -35,6 +31,11 @@ bool unpack_zlib(std::string_view block, std::span<char> to) {
 }
 
 }  // namespace
+
+std::size_t line_at(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+}
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
@@ -102,8 +103,19 @@ Status VtuDocument::read_attributes() {
   const std::string compressor = root().attribute("compressor").value();
   if (compressor == "vtkZLibDataCompressor") unpack_ = unpack_zlib;
   if (compressor == "vtkLZ4DataCompressor") unpack_ = unpack_lz4;
+  if (compressor == "vtkLZMADataCompressor") {
+    unpack_ = lzma_unpacker();
+    if (unpack_ == nullptr) {
+      return fail(root(), "no compressor, vtkZLibDataCompressor or vtkLZ4DataCompressor",
+                  quote(compressor) +
+                      " (write it with another, or build Circumspect where Debian's liblzma-dev is "
+                      "installed)");
+    }
+  }
   if (unpack_ == nullptr && !compressor.empty()) {
-    return fail(root(), "no compressor, vtkZLibDataCompressor or vtkLZ4DataCompressor",
+    return fail(root(),
+                "no compressor, vtkZLibDataCompressor, vtkLZ4DataCompressor or "
+                "vtkLZMADataCompressor",
                 quote(compressor));
   }
   const std::size_t per_byte = unpack_ != nullptr ? kNumbersPerPackedByte : kNumbersPerByte;

@@ -1,5 +1,5 @@
 // Arrays of numbers in VTK's XML files: as text, or as bytes in the element or appended to the
-// document, raw or in base 64, compressed by zlib, by LZ4 or not.
+// document, raw or in base 64, compressed by zlib, by LZ4, by LZMA or not.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,9 @@
 #include "oracle/formats/xml_skeleton.hpp"
 
 namespace circumspect::formats {
+
+// The line on which this place of a text is, from 1.
+std::size_t line_at(std::string_view text, std::size_t offset);
 
 // Without the blanks around it.
 std::string_view trimmed(std::string_view text);

@@ -1,21 +1,28 @@
 #include "oracle/formats/bytes/packed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <utility>
 
 #include <zlib.h>
 
+#include "oracle/formats/bytes/zstd.hpp"
+
 namespace circumspect::formats {
 namespace {
 
-constexpr std::string_view kEnding = ".gz";
+constexpr std::array<std::string_view, 2> kEndings = {".gz", ".zst"};
 constexpr std::string_view kMagic = "\x1f\x8b";
 
 // zlib packs bytes that are all equal into a thousandth, and numbers of meshes into a third; fields
 // of zeros beside them are why a file may be packed better.
 constexpr std::size_t kSmallFile = 1'000'000;
 constexpr std::size_t kLargestGrowth = 200;
+
+std::size_t most_unpacked(const Source& source) {
+  return std::max(kSmallFile, source.text.size() * kLargestGrowth);
+}
 
 class Inflater {
  public:
@@ -59,7 +66,7 @@ std::size_t Inflater::unpack_into(char* to, std::size_t room) {
 // Several packed files may follow one another: together they are one. Zeros may pad the last.
 Result<std::string> Inflater::unpack() {
   constexpr std::size_t kStep = std::size_t{1} << 16U;
-  const std::size_t most = std::max(kSmallFile, source_.text.size() * kLargestGrowth);
+  const std::size_t most = most_unpacked(source_);
   std::string text;
   std::size_t size = 0;
   if (!is_ready_) return fail("memory to unpack it", "none");
@@ -89,15 +96,31 @@ Result<std::string> Inflater::unpack() {
 }  // namespace
 
 std::string_view name_inside(std::string_view path) {
-  if (path.size() > kEnding.size() && path.ends_with(kEnding)) path.remove_suffix(kEnding.size());
+  for (const std::string_view ending : kEndings) {
+    if (path.size() <= ending.size() || !path.ends_with(ending)) continue;
+    path.remove_suffix(ending.size());
+    break;
+  }
+  return path;
+}
+
+std::string packed_or_not(const std::string& path) {
+  if (exists(path)) return path;
+  for (const std::string_view ending : kEndings) {
+    std::string packed = path + std::string(ending);
+    if (exists(packed)) return packed;
+  }
   return path;
 }
 
 Result<Source> load_unpacked(const std::string& path) {
   Result<Source> source = load(path);
-  if (!source || !source->text.starts_with(kMagic)) return source;
+  if (!source) return source;
+  const bool is_zstd = source->text.starts_with(kZstdMagic);
+  if (!is_zstd && !source->text.starts_with(kMagic)) return source;
   try {
-    Result<std::string> text = Inflater(*source).unpack();
+    Result<std::string> text =
+        is_zstd ? unpack_zstd(*source, most_unpacked(*source)) : Inflater(*source).unpack();
     if (!text) return tl::unexpected(text.error());
     source->text = std::move(*text);
     return source;

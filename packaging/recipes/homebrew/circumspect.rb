@@ -18,6 +18,8 @@ class Circumspect < Formula
   depends_on "mpfr"
   depends_on "pugixml"
   depends_on "tbb"
+  depends_on "xz"
+  depends_on "zstd"
 
   uses_from_macos "zlib"
 

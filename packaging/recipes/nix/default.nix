@@ -11,7 +11,7 @@ pkgs.stdenv.mkDerivation rec {
   };
 
   nativeBuildInputs = [ pkgs.cmake pkgs.ninja ];
-  buildInputs = with pkgs; [ gmp mpfr cadical pugixml zlib tbb fmt cgal boost cli11 nlohmann_json tl-expected ];
+  buildInputs = with pkgs; [ gmp mpfr cadical pugixml zlib zstd xz tbb fmt cgal boost cli11 nlohmann_json tl-expected ];
 
   cmakeFlags = [ "-DCIRCUMSPECT_QUICK_BUILD=ON" "-DCIRCUMSPECT_BUILD_TESTS=OFF" ];
   ninjaFlags = [ "circumspect_cli" "circumspect_archive" ];
