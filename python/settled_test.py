@@ -1,5 +1,6 @@
 """What the package circumspect refuses unless an option allows it, what ends a long call, and who may write into an
 array meanwhile. Run by pytest."""
+import os
 import subprocess
 import sys
 import time
@@ -172,7 +173,7 @@ def test_the_interpreter_ends_beside_calls(call):
         f"def work():\n    while True:\n        {call}\n"
         "for _ in range(4): threading.Thread(target=work, daemon=True).start()\n"
         "time.sleep(0.3)\n")
-    for _ in range(3):
+    for _ in range(1 if "CIRCUMSPECT_ONE_INPUT_IN" in os.environ else 3):
         start = time.monotonic()
         ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=120)
         assert (ran.returncode, ran.stderr) == (0, "") and time.monotonic() - start < 30
