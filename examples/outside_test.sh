@@ -58,16 +58,17 @@ quietly cmake --build "$work/judge"
 "$work/judge/judge_arrays" >/dev/null || fail "the judge of arrays was wrong"
 
 echo "properties, by find_package"
+# The compiler reads the headers once for both programs: the properties as they stand there, and where doubles are rounded.
+sed -n '/^CIRCUMSPECT_DELAUNAY_PROPERTIES/,$ { s/"triangulate"/"rounded"/; /\.families/!p }' \
+  "$examples/properties/triangulate_test.cpp" >>"$work/examples/properties/triangulate_test.cpp"
 quietly cmake -S "$work/examples/properties" -B "$work/properties" -DCMAKE_PREFIX_PATH="$work/installed" -DCMAKE_CXX_FLAGS=-O1
 quietly cmake --build "$work/properties" --target triangulate_test  # archive_test.sh builds the others
-"$work/properties/triangulate_test"
+"$work/properties/triangulate_test" --test-case-exclude='rounded*'
 ! grep -q "rapidcheck" "$work"/judge/CMakeFiles/*.dir/link.txt "$work/properties/CMakeFiles/triangulate_test.dir/link.txt" ||
   fail "expected judge and harness to do without RapidCheck"
 
 echo "properties fail where doubles are rounded"
-sed -i '/\.families/d' "$work/examples/properties/triangulate_test.cpp"
-quietly cmake --build "$work/properties" --target triangulate_test  # archive_test.sh builds the others
-if "$work/properties/triangulate_test" >"$work/log" 2>&1; then fail "expected a finding, found none"; fi
+if "$work/properties/triangulate_test" --test-case="rounded: claim" >"$work/log" 2>&1; then fail "expected a finding, found none"; fi
 grep -q "circumspect generate" "$work/log" || fail "expected a line that makes the input again"
 
 echo "fuzz, without libFuzzer"

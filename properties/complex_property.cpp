@@ -212,7 +212,7 @@ void check_all_kinds(int inputs_in_plane, int inputs_in_space) {
 }
 
 TEST_CASE("complex: by lemma and by definition the same is said of every mesh") {
-  check_all_kinds(4000, 3000);
+  check_all_kinds(2000, 1500);
 }
 
 }  // namespace

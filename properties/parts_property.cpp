@@ -118,5 +118,39 @@ TEST_CASE("a mesh judged in parts has the verdict of the whole") {
   CHECK(occurs(seen.size(), 3));
 }
 
+// A corner at the origin, one along each axis, and one beyond them; and a point of the first simplex
+// that is no vertex, of the weight with which it comes to lie in the witness plane.
+ArrayMesh with_submerged_tie(const std::vector<double>& point) {
+  const std::size_t d = point.size();
+  ArrayMesh mesh{.dimension = d};
+  for (std::size_t v = 0; v < d + 2; ++v) {
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      mesh.coordinates.push_back(v == axis + 1 ? 6 : v == d + 1 ? 9 : 0);
+    }
+    mesh.weights.push_back(0);
+  }
+  for (std::size_t v = 0; v <= d; ++v) mesh.simplices.push_back(static_cast<std::int64_t>(v));
+  for (std::size_t v = 1; v <= d + 1; ++v) mesh.simplices.push_back(static_cast<std::int64_t>(v));
+  double weight = 0;
+  for (const double x : point) weight += x * x - 6 * x;
+  mesh.coordinates.insert(mesh.coordinates.end(), point.begin(), point.end());
+  mesh.weights.push_back(weight);
+  return mesh;
+}
+
+TEST_CASE("a submerged point in a witness plane is as canonical in parts as in the whole") {
+  for (const std::vector<double>& point :
+       {std::vector<double>{1, 2}, {0, 2}, {3, 3}, {1, 2, 2}, {0, 1, 2}, {2, 2, 2}, {0, 0, 3}}) {
+    const ArrayMesh mesh = with_submerged_tie(point);
+    const std::string whole = said_by_one(Claim::kWeightedDelaunay, mesh, {});
+    CHECK(whole.find("holds: weighted-delaunay") != std::string::npos);
+    CHECK(whole.find(" not-unique not-canonical") != std::string::npos);
+    for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAllToOne, Way::kSomeToNone}) {
+      properties::Dice dice(7);
+      CHECK(said_in_turns(Claim::kWeightedDelaunay, mesh, way, dice, {}, 4) == whole);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace circumspect::properties

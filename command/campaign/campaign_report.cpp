@@ -177,6 +177,12 @@ std::string campaign_text(const Result& result) {
       result.cases_before == 0
           ? ""
           : fmt::format(", {} before that", report::counted(result.cases_before, "case")));
+  if (result.was_killed_before) {
+    text += fmt::format(
+        "note: the call before this one was killed, or the machine stopped, after {}; what it had "
+        "begun was done again\n",
+        report::counted(result.cases_before, "case"));
+  }
   if (result.containment == campaign::Containment::kSupervisor) {
     text += "note: a supervisor contained the programs, and no process namespace (--containment)\n";
   }

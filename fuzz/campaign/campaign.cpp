@@ -37,6 +37,7 @@ class Campaign {
     }
     minimising_ = unfinished_.size();
     for (const CaseRecord& record : journal_.cases()) count(record);
+    result_.was_killed_before = journal_.was_killed();
     given_ = registered_ = tried_ = result_.cases_before = result_.cases;
     is_tried_ = registered_ == 0;
     is_held_back_ = is_tried_ && !plan_.goes_on;
@@ -103,6 +104,11 @@ class Campaign {
   }
 
   tl::expected<Result, std::string> result() {
+    try {
+      journal_.add_end();
+    } catch (const std::system_error& error) {
+      end_for(error.what());
+    }
     if (failure_) std::rethrow_exception(failure_);
     if (!not_run_.empty()) return tl::unexpected(not_run_);
     result_.interrupted = stop_;
@@ -406,6 +412,7 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
     for (std::size_t i = 0; i < plan.jobs + 1; ++i) {
       runners.push_back(std::make_unique<Runner>(plan.subject, gate->turn()));
     }
+    journal->add_begin();
   } catch (const std::system_error& error) {
     return tl::unexpected(std::string(error.what()));
   }

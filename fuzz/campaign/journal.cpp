@@ -85,7 +85,8 @@ Journal::Journal(Journal&& other) noexcept
       file_(std::exchange(other.file_, -1)),
       cases_(std::move(other.cases_)),
       findings_(std::move(other.findings_)),
-      settings_(std::move(other.settings_)) {}
+      settings_(std::move(other.settings_)),
+      has_begun_(other.has_begun_) {}
 
 tl::expected<Journal, std::string> Journal::open(const std::string& folder,
                                                  const Settings& settings) {
@@ -155,6 +156,7 @@ std::string Journal::parse(const std::string& text, const Settings& settings,
   // whatever the settings say: a campaign whose command was wrong leaves them.
   if (cases_.empty() && findings_.empty()) {
     complete = 0;
+    has_begun_ = false;
     return "";
   }
   const std::string other = difference(settings_, settings);
@@ -184,6 +186,8 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
     for (FindingRecord& finding : findings_) {
       if (finding.signature == fields[1]) finding.is_cut_off = true;
     }
+  } else if ((kind == "began" || kind == "ended") && fields.size() == 1) {
+    has_begun_ = kind == "began";
   } else if (kind == "case" && (fields.size() == 5 || fields.size() == 6)) {
     if (number_of(fields[1]) != cases_.size()) return "case " + std::to_string(cases_.size());
     if (!is_signature(fields[4])) return "what became of the case, of letters, digits, - and .";
@@ -223,6 +227,10 @@ void Journal::add_minimised(const std::string& signature) {
 void Journal::add_cut_off(const std::string& signature) {
   write("cut-off\t" + field(signature) + "\n", true);
 }
+
+void Journal::add_begin() { write("began\n", false); }
+
+void Journal::add_end() { write("ended\n", true); }
 
 void Journal::add_case(std::size_t number, const CaseRecord& record) {
   const std::string kind = record.is_finding ? "finding" : record.what;

@@ -37,6 +37,8 @@ struct FindingRecord {
 //   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete except for
 //   minimised ⇥ SIGNATURE            the smallest input, which comes with this line
 //   cut-off ⇥ SIGNATURE              or with this one, if there was no time to make it smaller
+//   began                            a call of the command, which writes
+//   ended                            at its end, unless it is killed
 //   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|known|finding ⇥ WHAT ⇥ POINTS
 //
 // A line that an interruption cut off is dropped, and its case is run again. Lines about findings
@@ -55,12 +57,16 @@ class Journal {
   // Its contents when it was opened.
   const std::vector<CaseRecord>& cases() const { return cases_; }
   const std::vector<FindingRecord>& findings() const { return findings_; }
+  // Has a call begun that did not end by itself? It was killed, or the machine stopped.
+  bool was_killed() const { return has_begun_; }
 
   // These throw std::system_error if the disk is full.
   void add_finding(const std::string& signature, std::size_t case_number);
   void add_minimised(const std::string& signature);
   void add_cut_off(const std::string& signature);
   void add_case(std::size_t number, const CaseRecord& record);
+  void add_begin();
+  void add_end();
 
  private:
   Journal() = default;
@@ -74,6 +80,7 @@ class Journal {
   std::vector<CaseRecord> cases_;
   std::vector<FindingRecord> findings_;
   Settings settings_;
+  bool has_begun_ = false;
 };
 
 }  // namespace circumspect::campaign

@@ -49,6 +49,24 @@ TEST_CASE("a journal goes on where it ended") {
   CHECK(journal->findings()[1].case_number == 2);
 }
 
+TEST_CASE("a journal says whether the call before was killed") {
+  const formats::ScratchFolder folder;
+  const auto open = [&] { return Journal::open(folder.path("out"), kSettings).value(); };
+  {
+    Journal first = open();
+    CHECK(!first.was_killed());
+    first.add_begin();
+    first.add_case(0, {"grid", "holds", false, 7});
+  }
+  {
+    Journal second = open();
+    CHECK(second.was_killed());
+    second.add_begin();
+    second.add_end();
+  }
+  CHECK(!open().was_killed());
+}
+
 TEST_CASE("whatever byte a journal is cut off at, it goes on from the last whole line") {
   const formats::ScratchFolder folder;
   std::string whole;

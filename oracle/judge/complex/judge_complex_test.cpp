@@ -2,6 +2,9 @@
 // found where every facet and every ridge is as it should be.
 #include "oracle/judge/complex/judge_complex.hpp"
 
+#include <algorithm>
+#include <bit>
+
 #include <doctest/doctest.h>
 
 namespace circumspect::check {
@@ -67,7 +70,47 @@ TEST_CASE("hanging vertices are allowed, and points of no simplex") {
   CHECK(broken(mesh) == Tallies{{Rule::kHangingVertex, 1}, {Rule::kUnusedPoint, 1}});
   CHECK(broken(mesh, {.allow_hanging = true}) == Tallies{{Rule::kUnusedPoint, 1}});
   CHECK(broken(mesh, {.allow_hanging = true, .allow_unused = true}).empty());
-  CHECK(judge_complex(mesh, {.allow_hanging = true}, false, 0).complex->hanging_vertices == 1);
+  const ComplexFacts facts = *judge_complex(mesh, {.allow_hanging = true}, false, 0).complex;
+  CHECK(facts.hanging_vertices == 1);
+  CHECK(facts.is_complex);
+  CHECK(!judge_complex(mesh, {}, false, 0).complex->is_complex);
+}
+
+TEST_CASE("vertices hang between parts only, unless facets lead from one side to the other") {
+  ListedComplex mesh{{{0, 0}, {4, 0}, {0, 4}, {4, 4}, {2, 2}, {-2, 9}},
+                     {{0, 1, 4}, {0, 4, 2}, {1, 3, 2}}};
+  CHECK(judge_complex(mesh, {}, false, 0).complex->only_parts_hang);
+  mesh.simplices.push_back({2, 3, 5});
+  CHECK(judge_complex(mesh, {}, false, 0).complex->only_parts_hang);
+  mesh.simplices.push_back({0, 2, 5});
+  CHECK(!judge_complex(mesh, {}, false, 0).complex->only_parts_hang);
+}
+
+TEST_CASE("in a mirror positive simplices are negative, and those of the rarer sign are named") {
+  const std::vector<Point> strip = {{0, 0}, {0, 4}, {4, 0}, {4, 4}, {8, 0}, {8, 4}};
+  for (unsigned turned = 0; turned < 16; ++turned) {
+    CAPTURE(turned);
+    ListedComplex mesh{strip, {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}}};
+    for (unsigned s = 0; s < 4; ++s) {
+      if ((turned >> s & 1) != 0) std::swap(mesh.simplices[s][0], mesh.simplices[s][1]);
+    }
+    ListedComplex mirrored = mesh;
+    for (Point& point : mirrored.points) point[0] = -point[0];
+    const auto negative = static_cast<std::size_t>(std::popcount(turned));
+    const auto tallies = [](Rule rule, std::size_t count) {
+      return count == 0 ? Tallies{} : Tallies{{rule, count}};
+    };
+    CHECK(broken(mesh, {.oriented = Orientations::kPositive}) ==
+          tallies(Rule::kInverted, negative));
+    CHECK(broken(mirrored, {.oriented = Orientations::kNegative}) ==
+          tallies(Rule::kInverted, negative));
+    CHECK(broken(mirrored, {.oriented = Orientations::kPositive}) ==
+          tallies(Rule::kInverted, 4 - negative));
+    for (const ListedComplex& one : {mesh, mirrored}) {
+      CHECK(broken(one, {.oriented = Orientations::kSame}) ==
+            tallies(Rule::kOrientation, std::min(negative, 4 - negative)));
+    }
+  }
 }
 
 TEST_CASE("orientations: one sign, a sign, and neighbours of a surface") {

@@ -2,6 +2,8 @@
 // forms in which a hull is listed.
 #include "oracle/judge/convex_hull/judge_convex_hull.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 namespace circumspect::check {
@@ -85,7 +87,18 @@ TEST_CASE("a square wound twice around an apex has all its edges in two facets")
 TEST_CASE("a pentagram turns to the left at each vertex, and only a ray sees that it winds twice") {
   const std::vector<Point> star = {{4, 0}, {1, 4}, {-3, 2}, {-3, -2}, {1, -4}};
   CHECK(broken(star, cycle({0, 1, 2, 3, 4})).empty());
-  CHECK(broken(star, cycle({0, 2, 4, 1, 3})).at(Rule::kFacetNotSupporting) == 5);
+  // However they are numbered: the first three points say from where the facets are seen, and from
+  // the middle of the star all of them look convex.
+  Simplex number = {0, 1, 2, 3, 4};
+  do {
+    std::vector<Point> renumbered(star.size());
+    Simplex around;
+    for (const std::size_t v : {0, 2, 4, 1, 3}) around.push_back(number[v]);
+    for (std::size_t v = 0; v < star.size(); ++v) {
+      renumbered[static_cast<std::size_t>(number[v])] = star[v];
+    }
+    CHECK(broken(renumbered, cycle(around)).at(Rule::kFacetNotSupporting) == 5);
+  } while (std::next_permutation(number.begin(), number.end()));
 }
 
 TEST_CASE("facets are oriented alike if that is demanded") {

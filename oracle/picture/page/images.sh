@@ -6,14 +6,15 @@ here=$(cd "$(dirname "$0")" && pwd)
 command=$(realpath "$1")
 mkdir -p "$2"
 folder=$(realpath "$2")
-page=$(mktemp)
-trap 'rm -f "$page"' EXIT
+pages=$(mktemp -d)
+trap 'rm -rf "$pages"' EXIT
+cards=()  # what image.mjs is to draw, in one run: Node takes as long to start as to draw ten of them
 cd "$here/../../.."
 
 # image NAME MESH [--exaggerate]: the first violation of a mesh of the corpus, which does not hold.
 image() {
-  "$command" check "corpus/$2" --quiet --html "$page" && return 1
-  node "$here/image.mjs" "$page" 1 "$folder/$1.svg" "${@:3}"
+  "$command" check "corpus/$2" --quiet --html "$pages/$1" && return 1
+  cards+=("$pages/$1" 1 "$folder/$1.svg" "${@:3}")
 }
 image vertex-in-ball reject/delaunay.facet-not-local.ele
 image covered-twice peers/tetgen/hunted-tetgen-covered-twice-3d.1.ele --exaggerate
@@ -23,6 +24,8 @@ mkdir -p "$folder/rules"
 for rule in docs/rules/*.md; do
   grep -q '^!\[' "$rule" || continue
   read -r -a words < <(sed -n 's/^\$ circumspect //p;T;q' "$rule")
-  "$command" "${words[@]}" --quiet --html "$page" 2>/dev/null && exit 1
-  node "$here/image.mjs" "$page" 1 "$folder/rules/$(basename "$rule" .md).svg"
+  name=$(basename "$rule" .md)
+  "$command" "${words[@]}" --quiet --html "$pages/$name" 2>/dev/null && exit 1
+  cards+=("$pages/$name" 1 "$folder/rules/$name.svg")
 done
+node "$here/image.mjs" "${cards[@]}"
