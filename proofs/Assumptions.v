@@ -4,7 +4,7 @@ From Circumspect Require Import MainTheorems BookTheorems.
 (* Everything that MainTheorems.v and BookTheorems.v state, as one term: so its assumptions are
    those of all. *)
 Definition everything := (@verified, @verified_packed, @verified_not, @verified_rule,
-  @verified_domain, @verified_complex,
+  @verified_domain, @verified_dangling, @verified_complex,
   @verified_not_domain, @verified_domain_rule, @verified_not_whole_domain,
     @verified_whole_domain_rule,
   @rules_of_points, @rules_of_domains, @rules_of_whole_domains, @verified_impossible,

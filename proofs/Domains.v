@@ -302,11 +302,20 @@ Definition part_segments : list (point d * point d) := map segment_ends (segment
 Definition seed_point (x : site) (w : Z) : point d := place_of (unit_of c / IZR w) x.
 Definition part_holes : list (point d) :=
   map (fun h => seed_point (hole_point h) (hole_w h)) (holes p).
+(** The steps from [u] on. *)
+Fixpoint edges_from (u : positive) (l : list link) : list (list positive) :=
+  match l with [] => [] | s :: l' => [u; reached s] :: edges_from (reached s) l' end.
+Definition part_steps : list (simplex d) :=
+  flat_map (fun s => map (map spot) (edges_from (from s) (links s))) (segments p).
 (** The kept simplices. *)
 Definition part_simplices : list (simplex d) :=
   flat_map (fun em => if kept (snd em) then [map spot (corners (fst em))] else [])
     (combine (simplices c) (marks p)).
 End Part.
+
+(** The point of the mesh that is above a point of the polygon. *)
+Definition spot_above (d : nat) (c : certificate) (f : polygon_entry) (k : positive) : point d :=
+  match numbered (above f) k with Some j => spot d c j | None => origin end.
 
 Section Domain.
 Variables (d : nat) (c : domain_certificate).
@@ -314,8 +323,7 @@ Notation mesh := (whole_mesh c).
 
 (** The segments of a polygon: those of its certificate, between the points of the mesh above. *)
 Definition polygon_of (f : polygon_entry) : polygon d :=
-  let up (k : positive) := match numbered (above f) k with Some j => spot d mesh j | None =>
-    origin end in
+  let up := spot_above d mesh f in
   {| plane_normal := integer_point d (normal f);
      plane_offset := unit_of mesh * IZR (offset f);
      rim := map (fun s => (up (from s), up (last (map reached (links s)) (from s))))
@@ -328,4 +336,14 @@ Definition domain_of_certificate : domain d :=
      domain_polygons := map polygon_of (polygons c);
      domain_holes := part_holes d mesh (domain_part c) |}.
 Definition mesh_of_domain : list (simplex d) := part_simplices d mesh (domain_part c).
+(** Where something may dangle, the complex also lists the vertices of the domain, the steps along
+    its segments, and the pieces of its polygons.  (Those that are faces of kept simplices do not
+    dangle, and to list them changes no complex.) *)
+Definition pieces_of (f : polygon_entry) : list (simplex d) :=
+  flat_map (fun em => if kept (snd em) then [map (spot_above d mesh f) (corners (fst em))] else [])
+    (combine (simplices (plane_mesh f)) (marks (plane_part f))).
+Definition faces_of_domain : list (simplex d) :=
+  flat_map pieces_of (polygons c) ++ part_steps d mesh (domain_part c) ++
+  map (fun v => [v]) (part_vertices d mesh (domain_part c)).
+Definition mesh_with_faces : list (simplex d) := mesh_of_domain ++ faces_of_domain.
 End Domain.

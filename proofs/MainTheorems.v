@@ -19,8 +19,9 @@
       is verified is of the coordinates in the file, as they are;
     - of a mesh alone, that it is a manifold, connected, closed or oriented;
     - of points of a plane in space, which of several Delaunay triangulations it is;
-    - anything of a mesh in which something dangles, unless it is refuted: no certificate is about
-      one, nor is a domain in which something dangles said to have no triangulation;
+    - that a mesh is a CDT, or that the domain is a piecewise linear complex, where a triangle in
+      space dangles or, of the latter, where anything does; nor is a domain in which something
+      dangles said to have no triangulation;
     - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is stated in [BookTheorems.v], and
       not proved; and of Proposition 4.11, that a CDT induces CDTs of the polygons, only what it
       says at their edges is stated there;
@@ -35,7 +36,7 @@ From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefu
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
 From Circumspect Require Import HullChecker FlatChecker GiftWrapping Honest.
 From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats.
-From Circumspect Require MainProofs HullSound FlatSound.
+From Circumspect Require MainProofs DanglingSound HullSound FlatSound.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -90,6 +91,13 @@ Theorem verified_domain D c : check_domain D c = Accepted ->
   let T := mesh_of_domain (dimension_of D) c in
   solid T /\ holds_of_complex (domain_claimed c) P T.
 Proof. apply MainProofs.domain_holds. Qed.
+
+(** If the certificate says so ([dangling]), something may dangle: the complex also lists the
+    vertices of the domain, the steps along its segments, and the pieces of its polygons. *)
+Theorem verified_dangling D c : check_dangling D c = Accepted ->
+  holds_of_complex (domain_claimed c) (domain_of_certificate (dimension_of D) c)
+    (mesh_with_faces (dimension_of D) c).
+Proof. apply DanglingSound.check_dangling_sound. Qed.
 
 (** And if the certificate says so ([plc]), this domain is a piecewise linear complex
     (Definition 4.3). *)

@@ -111,6 +111,43 @@ def tilted(points, dice):
     write_rows(points, [header[0], 3, 0, 0], [row[:4] for row in rows])
 
 
+def let_dangle(domain, dice):
+    """Adds to a domain, beyond all of it, a segment or in space a triangle at one of its vertices, or a vertex alone."""
+    lines = [line.split() for line in domain.read_text().splitlines() if line and not line.startswith("#")]
+    count, dimension = int(lines[0][0]), int(lines[0][1])
+    if count == 0:
+        return
+    first = int(lines[1][0])
+    points = [[Fraction(x) for x in row[1:1 + dimension]] for row in lines[1:1 + count]]
+    at = max(range(count), key=lambda v: points[v])
+    steps = [[dice.randint(1, 4), *(dice.randint(-2, 2) for _ in range(dimension - 1))] for _ in range(2)]
+    ends = [[x + y for x, y in zip(points[at], step)] for step in steps]
+    how = dice.choice(("vertex", "segment", "segment", "triangle"))
+    if how != "triangle" or dimension == 2 or ends[0] == ends[1]:
+        del ends[1:]
+    rest = lines[1 + count:]
+    added = [at + first, *range(first + count, first + count + len(ends))]
+    face = [] if how == "vertex" else [["1", "0"], [len(added), *added]] if dimension == 3 else [[int(rest[0][0]) + first, *added]]
+    place = 1 + facet_rows(rest, dimension)
+    rest[0][0] = str(int(rest[0][0]) + (how != "vertex"))
+    header = [str(count + len(ends)), *lines[0][1:]]
+    filler = lines[1][1 + dimension:]
+    new = [[first + count + i, *end, *filler] for i, end in enumerate(ends)]
+    rows = [header, *lines[1:1 + count], *new, *rest[:place], *face, *rest[place:]]
+    domain.write_text("\n".join(" ".join(map(str, row)) for row in rows) + "\n")
+
+
+def facet_rows(rest, dimension):
+    """How many rows of a .poly file the segments are or, in space, the facets."""
+    if dimension == 2:
+        return int(rest[0][0])
+    row = 1
+    for _ in range(int(rest[0][0])):
+        lines, holes = int(rest[row][0]), int(rest[row][1]) if len(rest[row]) > 1 else 0
+        row += 1 + lines + holes
+    return row - 1
+
+
 def leave_facets(mesh):
     """Of a triangulation leaves the facets that are in one simplex."""
     _, rows = rows_of(mesh)
@@ -196,6 +233,8 @@ def certified(programs, kind, folder, number, dice, counts):
         ended = programs.run("build", "weighted-delaunay" if weighted else "delaunay", path, "-o", mesh, "--quiet")
     else:
         which = dice.choice(("enclosed", "enclosed", "hull"))
+        if dice.randrange(4) == 0:
+            let_dangle(path, dice)
         about = ["--domain", path, "--domain-kind", which]
         own_domain = [path]
         claim = dice.choice(CLAIMS[kind])

@@ -34,11 +34,12 @@ std::optional<std::vector<Simplex>> others(std::vector<Simplex> all, std::vector
   return rest;
 }
 
-// In the plane the edges of the triangles are the segments of a domain, of which these are
-// triangles.
+// In the plane the edges of the triangles, and what dangles, are the segments of a domain, of which
+// these are triangles.
 std::optional<std::vector<Simplex>> fill_in_plane(const PointSet& points,
-                                                  const std::vector<Simplex>& triangles) {
-  std::set<Simplex> edges;
+                                                  const std::vector<Simplex>& triangles,
+                                                  const std::vector<Simplex>& dangling) {
+  std::set<Simplex> edges(dangling.begin(), dangling.end());
   for (const FacetUse& use : facet_uses(triangles)) edges.insert(use.facet);
   const PiecewiseLinearComplex complex{
       points, {edges.begin(), edges.end()}, {}, {}, DomainKind::kHull};
@@ -56,14 +57,20 @@ std::vector<Point> image(const PointSet& points, int number) {
   return images;
 }
 
-// In space the facets of the tetrahedra are the polygons of a domain, of which these are
-// tetrahedra. A CDT of it does; where there is none, there may be one of an affine image.
+// In space the facets of the tetrahedra, and triangles that dangle, are the polygons of a domain,
+// of which these are tetrahedra. A CDT of it does; where there is none, there may be one of an
+// affine image.
 std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
-                                                  const std::vector<Simplex>& tetrahedra) {
+                                                  const std::vector<Simplex>& tetrahedra,
+                                                  const std::vector<Simplex>& dangling) {
   PiecewiseLinearInput facets;
   facets.kind = DomainKind::kHull;
   for (const auto group : ByFacet(facet_uses(tetrahedra))) {
     facets.polygons.push_back({{group.front().facet}, {}});
+  }
+  for (const Simplex& face : dangling) {
+    if (face.size() == 3) facets.polygons.push_back({{face}, {}});
+    if (face.size() == 2) facets.segments.push_back(face);
   }
   constexpr int kImages = 12;
   for (int number = 0; number < kImages; ++number) {
@@ -81,10 +88,11 @@ bool fills_its_hull(const PointSet& points, const std::vector<Simplex>& simplice
 }
 
 std::optional<std::vector<Simplex>> fill(const PointSet& points,
-                                         const std::vector<Simplex>& simplices) {
+                                         const std::vector<Simplex>& simplices,
+                                         const std::vector<Simplex>& dangling) {
   if (fills_its_hull(points, simplices, Claim::kTriangulation)) return std::vector<Simplex>{};
-  return points.ambient_dimension() == 2 ? fill_in_plane(points, simplices)
-                                         : fill_in_space(points, simplices);
+  return points.ambient_dimension() == 2 ? fill_in_plane(points, simplices, dangling)
+                                         : fill_in_space(points, simplices, dangling);
 }
 
 std::vector<Simplex> delaunay_simplices(const PointSet& points) {
@@ -94,11 +102,12 @@ std::vector<Simplex> delaunay_simplices(const PointSet& points) {
 // The canonical triangulation, if it has the simplices; where points are cospherical, what fills
 // the hull of constraints that are Delaunay is a Delaunay triangulation too.
 std::optional<std::vector<Simplex>> fill_delaunay(const PointSet& points,
-                                                  const std::vector<Simplex>& simplices) {
+                                                  const std::vector<Simplex>& simplices,
+                                                  const std::vector<Simplex>& dangling) {
   if (fills_its_hull(points, simplices, Claim::kDelaunay)) return std::vector<Simplex>{};
   auto rest = others(delaunay_simplices(points), simplices);
   if (rest) return rest;
-  rest = fill(points, simplices);
+  rest = fill(points, simplices, dangling);
   if (!rest) return std::nullopt;
   std::vector<Simplex> all = simplices;
   all.insert(all.end(), rest->begin(), rest->end());

@@ -21,7 +21,7 @@ constexpr std::string_view kNoCertificate = "there is no certificate of this mes
 
 // The mesh, and what fills its hull besides.
 std::optional<ExactMesh> filled(const ExactMesh& mesh, const HullFillers::Filler& fill) {
-  const auto pockets = fill(mesh.points, mesh.simplices);
+  const auto pockets = fill(mesh.points, mesh.simplices, dangling_faces(mesh));
   if (!pockets) return std::nullopt;
   ExactMesh whole{mesh.points, mesh.simplices, mesh.labels, mesh.first_index};
   whole.simplices.insert(whole.simplices.end(), pockets->begin(), pockets->end());
@@ -134,13 +134,16 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonP
   auto found = domain_part(part);
   if (!found)
     return tl::unexpected(fmt::format("{}polygon {}: {}", kNoCertificate, cell + 1, found.error()));
+  if (found->dangles)
+    return tl::unexpected(
+        fmt::format("{}something dangles in polygon {}", kNoCertificate, cell + 1));
   polygon.part = std::move(*found);
   return polygon;
 }
 
 namespace {
 
-// Where in the kept mesh the facets are.
+// Where in the mesh the facets are, first in what is kept.
 std::map<Simplex, std::pair<std::uint32_t, std::size_t>> places_of_facets(
     const ExactMesh& mesh, const Certificate& certificate) {
   std::map<Simplex, std::pair<std::uint32_t, std::size_t>> places;
@@ -197,7 +200,7 @@ bool is_of_domain(const MeshedDomain& in, Vertex v) {
 std::string add_polygons(const MeshedDomain& in, const ListedSegments& listed,
                          const std::vector<std::vector<Simplex>>& tiles, const HullFillers& fillers,
                          DomainCertificate& made) {
-  const auto places = places_of_facets(in.mesh, made.mesh);
+  const auto places = places_of_facets(made.whole, made.mesh);
   const PolygonPlace place_of_polygons{
       in.complex, in.mesh.points, made.mesh.points, [&](Vertex v) { return is_of_domain(in, v); },
       [&](std::size_t segment) { return in.chains.chain(segment); }};
@@ -206,7 +209,12 @@ std::string add_polygons(const MeshedDomain& in, const ListedSegments& listed,
     if (!polygon) return polygon.error();
     for (const Simplex& tile : tiles[cell]) {
       const auto place = places.find(tile);
-      if (place == places.end()) return std::string(kNoCertificate) + "something dangles";
+      if (place == places.end())
+        return std::string(kNoCertificate) + "a triangle that dangles is in no mesh of the hull";
+      const bool dangles = place->second.first >= in.mesh.simplices.size();
+      if (dangles && (made.claim == Claim::kCdt || made.claim == Claim::kSteinerCdt))
+        return std::string(kNoCertificate) + "a triangle dangles, and would have to be Delaunay";
+      made.dangles = made.dangles || dangles;
       polygon->tiles.push_back(place->second);
     }
     made.polygons.push_back(std::move(*polygon));
@@ -250,11 +258,12 @@ tl::expected<DomainCertificate, std::string> certificate_in(
   auto found = domain_part(part);
   if (!found) return tl::unexpected(std::string(kNoCertificate) + found.error());
   made.part = std::move(*found);
+  made.dangles = made.part.dangles;
   if (dimension == 3) {
     const std::string fault = add_polygons(in, listed, tiles, fillers, made);
     if (!fault.empty()) return tl::unexpected(fault);
   }
-  made.complex = complex_part(made);
+  if (!made.dangles) made.complex = complex_part(made);
   return made;
 }
 
@@ -268,7 +277,7 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
   const PiecewiseLinearComplex& complex = domain.complex;
   const std::size_t dimension = complex.ambient_dimension();
   if ((dimension != 2 && dimension != 3) ||
-      complex.points.dimension() != static_cast<int>(dimension) || mesh.simplices.empty()) {
+      complex.points.dimension() != static_cast<int>(dimension)) {
     return tl::unexpected(std::string(kNoCertificate) +
                           "the domain does not span the plane or space");
   }
@@ -292,9 +301,10 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledM
                                                                    const HullFillers& fillers) {
   HullFillers known = fillers;
   const std::size_t dimension = domain.complex.ambient_dimension();
-  known.fill = [&](const PointSet& points, const std::vector<Simplex>& simplices) {
+  known.fill = [&](const PointSet& points, const std::vector<Simplex>& simplices,
+                   const std::vector<Simplex>& faces) {
     return points.ambient_dimension() == dimension ? filled_mesh.rest
-                                                   : fillers.fill(points, simplices);
+                                                   : fillers.fill(points, simplices, faces);
   };
   auto made = domain_certificate_of(filled_mesh.mesh, domain, listed, claim, known);
   if (made) made->helpers = filled_mesh.helpers;

@@ -62,6 +62,7 @@ struct DomainPart {
   std::vector<SegmentSteps> segments = {};
   std::vector<Hole> holes = {};
   std::vector<Mark> marks = {};  // one a simplex
+  bool dangles = false;          // is a vertex or a step in no kept simplex?
 };
 
 // A polygon, seen along an axis as a domain in the plane.
@@ -105,6 +106,7 @@ struct DomainCertificate {
   std::vector<PolygonCertificate> polygons = {};
   std::optional<ComplexPart> complex = {};
   std::size_t helpers = 0;  // points without a label, the last ones
+  bool dangles = false;     // is a face in no kept simplex?
 };
 
 // A mesh of a domain in which nothing dangles, and the simplices that fill the hull of its points
@@ -118,9 +120,10 @@ struct FilledMesh {
 // What a domain certificate needs and does not construct: it need not be trusted.
 struct HullFillers {
   // d-simplices of points of the set that fill its convex hull together with the given ones, face
-  // to face; nothing if none are found.
-  using Filler = std::function<std::optional<std::vector<Simplex>>(const PointSet&,
-                                                                   const std::vector<Simplex>&)>;
+  // to face; nothing if none are found. The second list is what dangles: they should have it for
+  // faces.
+  using Filler = std::function<std::optional<std::vector<Simplex>>(
+      const PointSet&, const std::vector<Simplex>&, const std::vector<Simplex>&)>;
   Filler fill;
   Filler fill_delaunay;  // likewise, and all of them Delaunay
   std::function<std::vector<Simplex>(const PointSet&)> triangulate;

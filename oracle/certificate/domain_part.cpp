@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -26,18 +28,20 @@ Simplex facet_of(const Certificate& mesh, std::size_t simplex, std::size_t place
 
 void find_roles(const PartInput& input, DomainPart& part) {
   part.roles.resize(input.is_corner.size());
-  for (std::size_t s = 0; s < input.kept; ++s) {
+  for (std::size_t s = 0; s < input.mesh.simplices.size(); ++s) {
     for (const Vertex v : vertices_of(input.mesh, s)) {
       const auto place = static_cast<std::size_t>(v);
       if (input.is_corner[place] && !part.roles[place].corner_of) {
         part.roles[place].corner_of = static_cast<std::uint32_t>(s);
+        part.dangles = part.dangles || s >= input.kept;
       }
     }
   }
   for (std::size_t v = 0; v < input.weights.size(); ++v) part.roles[v].weights = input.weights[v];
 }
 
-// For each edge of the chains a kept simplex; and the place of a vertex that the edge leaves out.
+// For each edge of the chains a simplex, a kept one if there is one; and the place of a vertex that
+// the edge leaves out.
 std::map<Simplex, std::pair<std::uint32_t, std::size_t>> simplices_at_links(
     const PartInput& input) {
   std::map<Simplex, std::pair<std::uint32_t, std::size_t>> found;
@@ -45,7 +49,7 @@ std::map<Simplex, std::pair<std::uint32_t, std::size_t>> simplices_at_links(
   for (const std::vector<Vertex>& chain : input.chains) {
     for (const Vertex v : chain) touched[static_cast<std::size_t>(v)] = true;
   }
-  for (std::size_t s = 0; s < input.kept; ++s) {
+  for (std::size_t s = 0; s < input.mesh.simplices.size(); ++s) {
     const auto vertices = vertices_of(input.mesh, s);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (!touched[static_cast<std::size_t>(vertices[i])]) continue;
@@ -69,6 +73,7 @@ bool find_steps(const PartInput& input, DomainPart& part) {
       const auto found = simplices.find(sorted({chain[i - 1], chain[i]}));
       if (found == simplices.end()) return false;
       segment.steps.push_back({chain[i], found->second.first, found->second.second});
+      part.dangles = part.dangles || found->second.first >= input.kept;
     }
   }
   return true;
@@ -113,16 +118,39 @@ bool find_ways_out(const PartInput& input, DomainPart& part) {
                      [](const Mark& mark) { return mark.rank != 0; });
 }
 
+// Said of what dangles, if the mesh of the hull does not have it.
+constexpr std::string_view kNotInHull = "what dangles is in no mesh of the hull that was found";
+
 }  // namespace
+
+std::vector<Simplex> dangling_faces(const ExactMesh& mesh) {
+  std::set<Simplex> listed;
+  for (const Simplex& face : mesh.faces) listed.insert(sorted(face));
+  const auto remove_faces = [&](const Simplex& simplex, std::size_t most) {
+    for (unsigned subset = 1; subset < 1U << simplex.size() && !listed.empty(); ++subset) {
+      Simplex face;
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        if ((subset >> i & 1U) != 0) face.push_back(simplex[i]);
+      }
+      if (face.size() <= most) listed.erase(sorted(face));
+    }
+  };
+  for (const Simplex& simplex : mesh.simplices) {
+    if (simplex.size() <= 4) remove_faces(simplex, simplex.size());
+  }
+  const std::set<Simplex> all = listed;
+  for (const Simplex& face : all) remove_faces(face, face.size() - 1);
+  return {listed.begin(), listed.end()};
+}
 
 tl::expected<DomainPart, std::string> domain_part(const PartInput& input) {
   DomainPart part;
   find_roles(input, part);
   for (std::size_t v = 0; v < part.roles.size(); ++v) {
     if (input.is_corner[v] && !part.roles[v].corner_of)
-      return tl::unexpected(std::string("something dangles"));
+      return tl::unexpected(std::string(kNotInHull));
   }
-  if (!find_steps(input, part)) return tl::unexpected(std::string("something dangles"));
+  if (!find_steps(input, part)) return tl::unexpected(std::string(kNotInHull));
   const std::size_t size = input.mesh.points.dimension + 1;
   part.marks.resize(input.mesh.simplices.size());
   for (std::size_t s = 0; s < part.marks.size(); ++s) {
@@ -134,7 +162,7 @@ tl::expected<DomainPart, std::string> domain_part(const PartInput& input) {
   for (const HomogeneousPoint& seed : input.seeds) {
     part.holes.push_back({seed, *simplex_around(input, seed)});
   }
-  if (!find_ways_out(input, part)) return tl::unexpected(std::string("something dangles"));
+  if (!find_ways_out(input, part)) return tl::unexpected(std::string(kNotInHull));
   return part;
 }
 

@@ -13,6 +13,9 @@
 
 namespace circumspect::certificate {
 
+// The triangles and edges that are faces of no simplex, nor of each other.
+std::vector<Simplex> dangling_faces(const ExactMesh& mesh);
+
 struct PartInput {
   const Certificate& mesh;  // of the whole hull
   std::size_t kept;         // so many simplices, the first ones, are kept

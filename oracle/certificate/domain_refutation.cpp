@@ -17,27 +17,6 @@
 namespace circumspect::certificate {
 namespace {
 
-// The triangles and edges that are faces of no simplex, nor of each other.
-std::vector<Simplex> dangling_faces(const ExactMesh& mesh) {
-  std::set<Simplex> listed;
-  for (const Simplex& face : mesh.faces) listed.insert(sorted(face));
-  const auto remove_faces = [&](const Simplex& simplex, std::size_t most) {
-    for (unsigned subset = 1; subset < 1U << simplex.size() && !listed.empty(); ++subset) {
-      Simplex face;
-      for (std::size_t i = 0; i < simplex.size(); ++i) {
-        if ((subset >> i & 1U) != 0) face.push_back(simplex[i]);
-      }
-      if (face.size() <= most) listed.erase(sorted(face));
-    }
-  };
-  for (const Simplex& simplex : mesh.simplices) {
-    if (simplex.size() <= 4) remove_faces(simplex, simplex.size());
-  }
-  const std::set<Simplex> all = listed;
-  for (const Simplex& face : all) remove_faces(face, face.size() - 1);
-  return {listed.begin(), listed.end()};
-}
-
 // Points that make the face a simplex of full dimension, which does not contain `without` if the
 // face does not: steps along the axes from its first vertex, in one direction or the other. Nothing
 // if the face is degenerate.

@@ -365,6 +365,7 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, 
   if (!filled) return tl::unexpected(std::string("no mesh of the domain was found"));
   auto mesh = domain_certificate_of(*filled, domain, listed, Claim::kSteinerTriangulation, fillers);
   if (!mesh) return tl::unexpected(mesh.error());
+  if (mesh->dangles) return tl::unexpected(std::string("something dangles in each of its meshes"));
   Impossibility made{.claim = claim,
                      .kind = complex.kind,
                      .points = in_scale_of(mesh->mesh.points, complex.points),

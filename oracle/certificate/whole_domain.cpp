@@ -245,7 +245,7 @@ class WholeSearch {
     if (!other) return std::nullopt;
     auto certificate =
         domain_certificate_of(*other, domain_, listed_, Claim::kSteinerTriangulation, fillers_);
-    if (!certificate) return std::nullopt;
+    if (!certificate || certificate->dangles) return std::nullopt;
     const ExactMesh& mesh = other->mesh;
     for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
       for (const Point& point : samples(coordinates(mesh.points, mesh.simplices[s]))) {

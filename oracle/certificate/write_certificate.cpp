@@ -254,10 +254,10 @@ void write_body(Lines& lines, const DomainCertificate& certificate) {
 
 void write(std::ostream& out, const DomainCertificate& certificate) {
   Lines lines(out);
-  write_first_line(lines, "circumspect-certificate 1", certificate.claim,
-                   certificate.mesh.points.dimension,
-                   fmt::format("{}{}", certificate.kind == DomainKind::kHull ? "hull" : "enclosed",
-                               certificate.complex ? " plc" : ""));
+  write_first_line(
+      lines, "circumspect-certificate 1", certificate.claim, certificate.mesh.points.dimension,
+      fmt::format("{}{}{}", certificate.kind == DomainKind::kHull ? "hull" : "enclosed",
+                  certificate.complex ? " plc" : "", certificate.dangles ? " dangling" : ""));
   write_body(lines, certificate);
   if (certificate.complex) {
     write_complex(lines, numbers_of(certificate.mesh), *certificate.complex);

@@ -5,7 +5,7 @@ From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import ComplexChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Combinations Shadow Orientation Integers
   Accepted.
-From Circumspect Require Import KeptMesh KeptCells Polygons HeldFaces HeldCells Sides Definitions
+From Circumspect Require Import KeptMesh KeptCells Pieces HeldFaces HeldCells Sides Definitions
   Domains.
 Import ListNotations.
 Open Scope R_scope.
@@ -71,11 +71,12 @@ Proof.
     destruct (cell_cases (whole_mesh c) (domain_part c) P eq_refl f If)
       as [(v & Iv & ->)|[(n & s & N & _ & ->)|[(g & Ig & ->)|(_ & ->)]]].
     + cbn in Fq. subst q. apply (Rg K).
-      destruct (vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa v Iv) as (t & It & J).
+      destruct (vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa v eq_refl Iv) as
+        (t & It & J).
       exists t. split; [assumption|]. now apply conv_point.
     + apply (Rg K).
       apply (filled_face T _ q (segment_union oriented2 plane_computes (le_S 1 1 (le_n 1)) _ Mesh _
-        true _ _ Pa s (numbered_in _ _ _ N))).
+        true _ _ Pa s eq_refl (numbered_in _ _ _ N))).
       exact Fq.
     + cbn in Ig. rewrite No in Ig. destruct Ig.
     + exact Fq.
@@ -114,17 +115,18 @@ Definition polygon_number (k : positive) (f : polygon 3) : Prop :=
   exists g, numbered (polygons c) k = Some g /\ f = polygon_of 3 c g.
 
 Lemma space_parts : check_in space_predicates (whole_mesh c) = Accepted /\
-  check_part space_predicates false (kind c) (whole_mesh c) (domain_part c)
+  check_part space_predicates false false (kind c) (whole_mesh c) (domain_part c)
     (shown_by_polygon tables) = Accepted /\
   forall k f, numbered (polygons c) k = Some f ->
-    check_polygon (kind c) (whole_mesh c) (mesh_of (whole_mesh c)) (mark_table (domain_part c)) f =
+    check_polygon false (kind c) (whole_mesh c) (mesh_of (whole_mesh c)) (mark_table
+      (domain_part c)) f =
       Accepted.
 Proof.
   pose proof accepts as H. unfold check_domain in H. cbv zeta in H. accepted.
   split; [assumption || reflexivity|]. split; [assumption || reflexivity|]. intros k f E.
   match goal with G : each _ 1 (polygons c) = Accepted |- _ => apply (each_accepted _ _ G) in E end.
   unfold in_polygon in E.
-  destruct (check_polygon _ _ _ _ f); [reflexivity|discriminate].
+  destruct (check_polygon _ _ _ _ _ f); [reflexivity|discriminate].
 Qed.
 Let Mesh := proj1 space_parts.
 Let Pa := proj1 (proj2 space_parts).
@@ -259,7 +261,7 @@ Proof.
   destruct (numbered (above f) (from s)) as [a|] eqn:Ea; [|discriminate].
   destruct (numbered (above f) (last_reached s)) as [b|] eqn:Eb; [|discriminate].
   pose proof (ends_set (d := 3) (whole_mesh c) t a b (same_members_spec _ _ Heqb)) as Same.
-  unfold up in C, W. rewrite Ea, Eb in C, W.
+  unfold spot_above in C, W. rewrite Ea, Eb in C, W.
   exists (fst (segment_ends 3 (whole_mesh c) t)), (snd (segment_ends 3 (whole_mesh c) t)). split.
   - rewrite <- surjective_pairing. apply in_map. now apply numbered_in with (fst kb).
   - split; [now apply Same|]. intros z Z. apply Same in Z. destruct (W z Z) as [Pz Lz].
@@ -269,7 +271,8 @@ Qed.
 Lemma region_filled : kind c = Enclosed -> forall q, region P q <-> filled T q.
 Proof.
   intros K q. unfold region, domain_of_certificate. cbn [what_it_fills]. rewrite K.
-  apply (kept_enclosed oriented3 space_computes one_3 _ Mesh _ false _ _ Pa); [assumption|].
+  apply (kept_enclosed oriented3 space_computes one_3 _ Mesh _ false _ _ Pa);
+    [reflexivity|assumption|].
   intros y. symmetry. split.
   - intros (t & e & i & E & Hi & Fl & C).
     destruct (flagged_is_shown oriented3 space_computes one_3 _ Mesh _ false _ _ Pa t e i K E Hi Fl)
@@ -322,7 +325,7 @@ Proof.
       in Y.
     destruct Y as (u & r & Er & Kr & Cy).
     destruct (tile_at (kind c) (whole_mesh c) (domain_part c) Mesh g Pk u r Er Kr)
-      as (t' & i' & e' & Ti & E' & Kt' & Hi' & _ & M).
+      as (t' & i' & e' & Ti & E' & Kt' & Hi' & _ & M). specialize (Kt' eq_refl).
     assert (Cy' : conv (map (spot 3 (whole_mesh c)) (Checker.remove i' (corners e'))) y).
     { apply (conv_incl (map (spot 3 (whole_mesh c)) (up_names g (corners r)))); [|assumption].
       intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). now apply in_map, M. }
@@ -362,17 +365,18 @@ Proof.
     destruct (cell_cases (whole_mesh c) (domain_part c) P eq_refl f If)
       as [(v & Iv & ->)|[(n & s & N & _ & ->)|[(g & Ig & ->)|(_ & ->)]]].
     + cbn in Fq. subst q. apply (region_filled K).
-      destruct (vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa v Iv) as (t & It & J).
+      destruct (vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa v eq_refl Iv) as
+        (t & It & J).
       exists t. split; [assumption|]. now apply conv_point.
     + apply (region_filled K).
       apply (filled_face T _ q (segment_union oriented3 space_computes one_3 _ Mesh _ false _ _ Pa s
-        (numbered_in _ _ _ N))).
+        eq_refl (numbered_in _ _ _ N))).
       exact Fq.
     + apply in_map_iff in Ig. destruct Ig as (h & <- & Ih). apply in_numbered in Ih.
       destruct Ih as (k & E).
       apply (region_filled K).
       exact (filled_face T _ q (polygon_union (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa c
-        eq_refl h (Poly k h E)) Fq).
+        eq_refl h (Poly k h E) eq_refl) Fq).
     + exact Fq.
   - intros f q I B. apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
     destruct I as (k & E).

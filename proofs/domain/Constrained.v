@@ -23,8 +23,9 @@ Variable D : domain_certificate.
 Notation c := (whole_mesh D).
 Notation p := (domain_part D).
 Hypothesis accepts : check_in pr c = Accepted.
+Context {loose : bool}.
 Variables (planar : bool) (shown : list positive -> nat -> positive * positive -> bool).
-Hypothesis part_accepts : check_part pr planar (kind D) c p shown = Accepted.
+Hypothesis part_accepts : check_part pr loose planar (kind D) c p shown = Accepted.
 Hypothesis local_accepts : check_local pr shown D = Accepted.
 Notation r := (unit_of c).
 Notation spot := (spot d c).
@@ -188,22 +189,18 @@ Proof.
 Qed.
 
 (** What is visible is seen: the segment leaves neither the kept simplices nor meets a wall. *)
-Lemma visible_sees (P : domain d) t x v : solid_triangulation P T ->
+Lemma visible_sees (P : domain d) t x v :
   (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y ->
     walls_in c p geo y) ->
   In t kept_tets -> inside (geo t) x -> visible P x v ->
   sees kept_tets geo (wall_at p) x v.
 Proof.
-  intros (_ & _ & _ & _ & _ & Eq) Wa Ht I [Sub Resp] s Hs.
-  assert (C : conv [x; v] (mix x v s)) by (apply conv_two; exists s; split; [lra|reflexivity]).
-  apply in_kept_tets in Ht. destruct Ht as [Ht _]. split.
-  - apply Sub, Eq in C. destruct C as (u & Hu & Q).
-    apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Hu.
-    destruct Hu as (a & e & E & K & ->). exists a.
-    split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|].
-    rewrite <- (entry_vertices c geo frames a e E) in Q. now apply conv_vertices.
-  - intros a i Ha Hi W O. apply in_kept_tets in Ha. destruct Ha as [Ha _].
-    destruct (Wa (mix x v s)) as (X & IX & Xs & XW); [exists a, i; auto|].
+  intros Wa Ht I [Sub Resp]. pose proof Ht as Ht'. apply in_kept_tets in Ht'.
+  destruct Ht' as [It Kt].
+  assert (Off : forall s, 0 <= s < 1 -> ~ walls_in c p geo (mix x v s)).
+  { intros s Hs W. assert (C : conv [x; v] (mix x v s)).
+    { apply conv_two. exists s. split; [lra|reflexivity]. }
+    destruct (Wa (mix x v s) W) as (X & IX & Xs & XW).
     assert (Off : forall y, inside (geo t) y -> ~ X y).
     { intros y Iy Xy. apply XW in Xy. destruct Xy as (b & k & Hb & Hk & _ & Z & Cl).
       assert (t = b) as <- by now apply (inside_once (tets c) geo agreeing different t b y).
@@ -212,41 +209,63 @@ Proof.
     destruct (proj1 (E (mix x v s)) (conj Xs C)) as (f & If & Cf).
     assert (Fx : forall y, conv f y -> X y) by (intros y Cy; apply E; eauto).
     destruct (Faces.in_points x f) as [Ix|N].
-    + apply (Off x I), Fx. now apply conv_point.
-    + assert (Iv : incl f [v]).
+    - apply (Off x I), Fx. now apply conv_point.
+    - assert (Iv : incl f [v]).
       { intros y Hy. destruct (HF f If y Hy) as [<-|[<-|[]]]; [contradiction|now left]. }
       assert (Ev : mix x v s = v) by (apply conv_singleton; now apply (conv_incl f)).
       assert (x = v) as <-.
       { apply affine_separate. intros h A. pose proof (affine_mix h x v s A) as M. rewrite Ev in M.
         nra. }
-      rewrite Ev in Cf. now apply (Off x I), Fx.
+      rewrite Ev in Cf. now apply (Off x I), Fx. }
+  intros s Hs. split.
+  - destruct (stays_inner (tets c) geo _ positive_d (certificate_fills Or Co c accepts geo frames)
+      (wall_at p) (walls_in c p geo) (fun q => iff_refl _) (kept_at marks_of)
+      (same_across Or Co positive_d c accepts p planar (kind D) shown part_accepts geo frames
+        is_enclosed)
+      (kept_closed_off Or Co positive_d c accepts p planar (kind D) shown part_accepts geo frames
+        is_enclosed) x (mix x v s)) as (a & Ha & Ka & Ia).
+    + intros q Hq W. change (between x (mix x v s) q) with (mix x (mix x v s) q) in W.
+      rewrite mix_mix in W. revert W. apply Off. nra.
+    + exists t. split; [assumption|]. split; [assumption|]. intros k Hk. left. now apply I.
+    + exists a. split; [now apply in_kept_tets|assumption].
+  - intros a i Ha Hi W O. apply in_kept_tets in Ha. apply (Off s Hs). exists a, i. tauto.
+Qed.
+(** So it is a vertex of a kept simplex, if it is one of the mesh. *)
+Lemma seen_vertex x u i : In u (tets c) -> (i <= d)%nat ->
+  sees kept_tets geo (wall_at p) x (vertex (geo u) i) -> vertex_of kept_tets geo (vertex (geo u) i).
+Proof.
+  intros Hu Hi See.
+  destruct (towards geo (vertex (geo u) i) x kept_tets) as [(b & Hb & Ib & _)|(e & He & K)].
+  - pose proof Hb as Hb'. apply in_kept_tets in Hb'. destruct Hb' as [Hb' _].
+    assert (Iu : inside_closed (geo u) (vertex (geo u) i)).
+    { intros k Hk. rewrite bary_vertex by assumption. destruct (Nat.eq_dec k i); lra. }
+    destruct (agreeing u b Hu Hb' _ Iu Ib i Hi) as (k & Hk & E & _).
+    { rewrite bary_own by assumption. lra. }
+    exists b, k. auto.
+  - destruct (See (1 - e)) as [(a & Ha & Ia) _]; [lra|]. rewrite mix_swap in Ia.
+    replace (1 - (1 - e)) with e in Ia by ring. now destruct (K e ltac:(lra) a Ha).
 Qed.
 
-Theorem kept_constrained (P : domain d) (V : list (point d)) : solid_triangulation P T ->
+Theorem kept_constrained (P : domain d) (V : list (point d)) :
+  (forall t, In t T -> respects P t /\ incl t V) ->
   (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y ->
     walls_in c p geo y) ->
-  (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  (forall v, In v V -> exists t i, In t (tets c) /\ (i <= d)%nat /\ v = vertex (geo t) i) ->
   forall t, In t T -> constrained_delaunay V P t.
 Proof.
-  intros St Wa HV t It. split; [|split].
-  - intros v Iv. apply HV. eauto.
-  - now apply (simplices_respect P T), (member_face P T).
-  - pose proof It as It'. apply (in_kept c p planar (kind D) shown part_accepts geo frames) in It'.
-    destruct It' as (u & e & E & K & ->). rewrite <- (entry_vertices c geo frames u e E).
-    destruct (circumball_frame (geo u)) as (o & r2 & C & _). exists o, r2. split; [assumption|].
-    intros v x Iv Xi Vis L. apply strictly_inside_frame in Xi.
-    apply (in_ball_below_witness _ _ _ _ C) in L. apply (Rlt_not_le _ _ L).
-    assert (Hu : In u kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
-    apply (visible_vertex_above kept_tets geo positive_d agreeing' different'
-      (wall_at p) kept_outer_wall
-      norm2 kept_local u x v Hu (fun k Hk => Rlt_le _ _ (Xi k Hk))).
-    + apply HV in Iv. destruct Iv as (s & Is & Iv).
-      apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Is.
-      destruct Is as (b & e' & E' & K' & ->).
-      rewrite <- (entry_vertices c geo frames b e' E') in Iv.
-      apply in_vertices in Iv. destruct Iv as (i & Hi & ->). exists b, i.
-      split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|auto].
-    + now apply (visible_sees P u).
+  intros Re Wa HV t It. split; [now apply Re|split; [now apply Re|]].
+  apply (in_kept c p planar (kind D) shown part_accepts geo frames) in It.
+  destruct It as (u & e & E & K & ->). rewrite <- (entry_vertices c geo frames u e E).
+  destruct (circumball_frame (geo u)) as (o & r2 & C & _). exists o, r2.
+  split; [assumption|].
+  intros v x Iv Xi Vis L. apply strictly_inside_frame in Xi.
+  apply (in_ball_below_witness _ _ _ _ C) in L. apply (Rlt_not_le _ _ L).
+  assert (Hu : In u kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
+  pose proof (visible_sees P u x v Wa Hu Xi Vis) as See.
+  apply (visible_vertex_above kept_tets geo positive_d agreeing' different'
+    (wall_at p) kept_outer_wall
+    norm2 kept_local u x v Hu (fun k Hk => Rlt_le _ _ (Xi k Hk))); [|assumption].
+  destruct (HV v Iv) as (b & i & Hb & Hi & ->). now apply (seen_vertex x).
 Qed.
 End Geometry.
 End Constrained.

@@ -44,6 +44,7 @@ Definition on_segment (a b p : site) : bool :=
 Section Part.
 Variable pr : predicates.
 Variable m : mesh.
+Variable loose : bool.                   (* may something dangle? *)
 Variable planar : bool.                  (* is a wall part of a segment? *)
 Variable kind : domain_kind.
 Variable roles_of : Table.t role.
@@ -80,7 +81,7 @@ Fixpoint weighed (w : list (Z * positive)) : option (Z * list Z) :=
 Definition check_role (k : positive) (e : point_entry) (r : role) : result :=
   require role_shown by
     match r with
-    | Corner t => kept_at t &&
+    | Corner t => (loose || kept_at t) &&
         match Table.find t (simplices_of m) with Some s => member k (corners s) | None => false end
     | Steiner w =>
         match kind with
@@ -97,7 +98,7 @@ Definition check_role (k : positive) (e : point_entry) (r : role) : result :=
 Definition has_facet (s : simplex_entry) (i : nat) : bool :=
   match nth_error (walls s) i with Some _ => true | None => false end.
 Definition edge_of (t : positive) (i : nat) (u v : positive) : bool :=
-  negb (Pos.eqb u v) && kept_at t &&
+  negb (Pos.eqb u v) && (loose || kept_at t) &&
   match Table.find t (simplices_of m) with
   | None => false
   | Some s =>
@@ -164,15 +165,16 @@ Definition check_hole (l : list simplex_entry) (l' : list mark) (k : positive) (
                 end
     end at AtHole k; Accepted.
 
-(** [mark-consistent]: marks differ only across walls, and a wall has a kept simplex beside it. *)
+(** [mark-consistent]: marks differ only across walls, and a wall has a kept simplex beside it, if
+    it does not dangle. *)
 Definition consistent (e : mark) (i : nat) (f : wall) : bool :=
   match f with
-  | OnHull _ => match flag e i with Some _ => kept e | None => negb (kept e) end
+  | OnHull _ => match flag e i with Some _ => loose || kept e | None => negb (kept e) end
   | Neighbour u j =>
       match Table.find u marks_of with
       | None => false
       | Some e' => match flag e i, flag e' j with
-                   | Some _, Some _ => kept e || kept e'
+                   | Some _, Some _ => loose || kept e || kept e'
                    | None, None => Bool.eqb (kept e) (kept e')
                    | _, _ => false
                    end
@@ -212,17 +214,18 @@ End Part.
 
 (** ** A domain in the plane, or the part of one in space that is like it *)
 
-Definition check_part (pr : predicates) (planar : bool) (kind : domain_kind) (c : certificate)
+Definition check_part (pr : predicates) (loose planar : bool) (kind : domain_kind) (c : certificate)
     (p : part) (shown : list positive -> nat -> positive * positive -> bool) : result :=
   let m := mesh_of c in
   let roles_of := Table.of_list id (roles p) in
   let marks_of := Table.of_list id (marks p) in
   let holes_of := Table.of_list id (holes p) in
   require claim_of_mesh by negb (weights_of (claimed c)) at Nowhere;
-  each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c) (roles p) ;;
-  each (check_segment m planar kind roles_of marks_of) 1 (segments p) ;;
+  each_pair role_shown AtPoint (check_role pr m loose kind roles_of marks_of) 1 (points c)
+    (roles p) ;;
+  each (check_segment m loose planar kind roles_of marks_of) 1 (segments p) ;;
   each (check_hole pr m marks_of (simplices c) (marks p)) 1 (holes p) ;;
-  each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
+  each_pair mark_consistent AtSimplex (check_mark loose kind holes_of marks_of shown) 1
     (simplices c) (marks p).
 
 (** In the plane a wall is part of segment K: both its vertices are on it. *)
@@ -244,7 +247,7 @@ Definition shown_by_segment (c : certificate) (p : part) : list positive -> nat 
     end.
 Definition check_in_plane (kind : domain_kind) (c : certificate) (p : part) : result :=
   check_in plane_predicates c ;;
-  check_part plane_predicates true kind c p (shown_by_segment c p).
+  check_part plane_predicates false true kind c p (shown_by_segment c p).
 
 (** ** Polygons *)
 
@@ -255,6 +258,7 @@ Definition named_above (above_of : Table.t positive) (l : list positive) : list 
   match find_all above_of l with Some k => k | None => [] end.
 
 Section Polygon.
+Variable loose : bool.
 Variable kind : domain_kind.
 Variable c : certificate.
 Variable m : mesh.
@@ -280,7 +284,7 @@ Definition check_tile (above_of : Table.t positive) (k : positive) (se : simplex
     (ti : positive * nat) : result :=
   require polygon_tiled by
     negb (kept (snd se)) ||
-    (kept_at marks_of (fst ti) &&
+    ((loose || kept_at marks_of (fst ti)) &&
      match kind with Enclosed => flagged_at marks_of (fst ti) (snd ti) | Hull => true end &&
      match Table.find (fst ti) (simplices_of m) with
      | Some s => has_facet s (snd ti) &&
@@ -414,8 +418,56 @@ Definition check_domain (D : plane_or_space) (c : domain_certificate) : result :
       let m := mesh_of (whole_mesh c) in
       let marks_of := Table.of_list id (marks p) in
       check_in space_predicates (whole_mesh c) ;;
-      check_part space_predicates false (kind c) (whole_mesh c) p (shown_by_polygon P) ;;
-      each (fun k f => in_polygon k (check_polygon (kind c) (whole_mesh c) m marks_of f)) 1
+      check_part space_predicates false false (kind c) (whole_mesh c) p (shown_by_polygon P) ;;
+      each (fun k f => in_polygon k (check_polygon false (kind c) (whole_mesh c) m marks_of f)) 1
         (polygons c) ;;
       check_claim space_predicates (shown_by_polygon P) c
+  end.
+
+(** ** Where something dangles
+
+    What dangles is a face of the mesh of the whole hull, beside simplices that are not kept: walls,
+    steps of segments and vertices need no kept simplex. *)
+
+(** [vertices-of-domain], of what may dangle. *)
+Definition known_faces (c : domain_certificate) : result :=
+  let roles_of := Table.of_list id (roles (domain_part c)) in
+  each (fun k s =>
+    require vertices_of_domain by
+      forallb (is_corner roles_of) (from s :: map reached (links s)) at AtSegment k; Accepted) 1
+    (segments (domain_part c)) ;;
+  each (fun k f =>
+    require vertices_of_domain by forallb (is_corner roles_of) (above f) at AtPolygon k; Accepted) 1
+    (polygons c).
+Definition check_faces (c : domain_certificate) : result :=
+  match domain_claimed c with
+  | PlcTriangulation | Cdt => known_faces c
+  | _ => Accepted
+  end.
+(** A triangle that dangles would have to be constrained Delaunay. *)
+Definition triangles_may_dangle (c : domain_certificate) : bool :=
+  match domain_claimed c with Cdt | SteinerCdt => false | _ => true end.
+
+Definition check_dangling (D : plane_or_space) (c : domain_certificate) : result :=
+  let p := domain_part c in
+  require mark_consistent by match kind c with Enclosed => true | Hull => false end at Nowhere;
+  match D with
+  | Plane =>
+      let shown := shown_by_segment (whole_mesh c) p in
+      require polygon_flat by match polygons c with [] => true | _ => false end at Nowhere;
+      check_in plane_predicates (whole_mesh c) ;;
+      check_part plane_predicates true true (kind c) (whole_mesh c) p shown ;;
+      check_claim plane_predicates shown c ;;
+      check_faces c
+  | Space =>
+      let shown := shown_by_polygon (Table.of_list tables_of (polygons c)) in
+      let m := mesh_of (whole_mesh c) in
+      let marks_of := Table.of_list id (marks p) in
+      check_in space_predicates (whole_mesh c) ;;
+      check_part space_predicates true false (kind c) (whole_mesh c) p shown ;;
+      each (fun k f => in_polygon k
+        (check_polygon (triangles_may_dangle c) (kind c) (whole_mesh c) m marks_of f)) 1
+        (polygons c) ;;
+      check_claim space_predicates shown c ;;
+      check_faces c
   end.

@@ -1,8 +1,9 @@
 (** * Soundness: what the acceptance of a certificate about a domain means *)
 From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
-From Circumspect Require Import Faces Orientation Integers Accepted Soundness.
-From Circumspect Require Import CertifiedMesh KeptMesh KeptCells Constrained Polygons.
+From Circumspect Require Import Frame Faces Orientation Integers Accepted Soundness.
+From Circumspect Require Import CertifiedMesh KeptMesh KeptCells Constrained Pieces.
+From Circumspect Require Import ConstrainedLemma Necessary.
 From Circumspect Require Import Definitions Domains Solid.
 Import ListNotations.
 Open Scope R_scope.
@@ -50,8 +51,9 @@ Notation c := (whole_mesh D).
 Notation p := (domain_part D).
 Notation T := (part_simplices d c p).
 Hypothesis accepts : check_in pr c = Accepted.
+Context {loose : bool}.
 Variables (planar : bool) (shown : list positive -> nat -> positive * positive -> bool).
-Hypothesis part_accepts : check_part pr planar (kind D) c p shown = Accepted.
+Hypothesis part_accepts : check_part pr loose planar (kind D) c p shown = Accepted.
 Hypothesis positive_d : (1 <= d)%nat.
 Hypothesis claim_accepts : check_claim pr shown D = Accepted.
 Let members := kept_members Or Co c accepts p planar (kind D) shown part_accepts.
@@ -122,8 +124,15 @@ Proof.
       repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
     - intros (t & e & i & E & Hi & F & C). exists t, i. split; [apply in_tets; eauto|].
       repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e). }
-  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G K P V St);
-    [|assumption].
+  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G K P V).
+  { intros t It.
+    split; [now apply (simplices_respect P T), (Necessary.member_face P T)|].
+    intros v Iv. apply HV. eauto. }
+  2: { intros v Iv. apply HV in Iv. destruct Iv as (s & Is & Iv).
+       apply (in_kept c p planar (kind D) shown part_accepts geo G) in Is.
+       destruct Is as (t & e & Ee & _ & ->). rewrite <- (entry_vertices c geo G t e Ee) in Iv.
+       apply in_vertices in Iv. destruct Iv as (i & Hi & ->). exists t, i.
+       split; [apply in_tets; eauto|auto]. }
   intros q W. apply E in W. destruct (Wa K q W) as (X & IX & Xq & XW).
   exists X. split; [assumption|]. split; [assumption|]. intros y Xy. now apply E, XW.
 Qed.
@@ -189,10 +198,10 @@ Proof.
         apply in_map. now apply numbered_in with (fst w). }
     apply steiner_from_cells.
     + exact (kept_complex oriented2 plane_computes _ Mesh _ true _ _ Pa).
-    + exact (vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa).
+    + exact (fun v => vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa v eq_refl).
     + intros a b I. apply in_map_iff in I. destruct I as (s & E & I).
       pose proof (segment_union oriented2 plane_computes (le_S 1 1 (le_n 1)) _ Mesh _ true _ _ Pa s
-        I) as U.
+        eq_refl I) as U.
       rewrite E in U. exact U.
     + cbn [domain_of_certificate domain_polygons].
       destruct (polygons c); [intros f []|discriminate].
@@ -202,28 +211,16 @@ Proof.
       * exact (kept_hull oriented2 plane_computes _ Mesh _ true _ _ Pa q eq_refl).
   - accepted. pose proof A as Cl. rename Heqr into Mesh. rename Heqr0 into Pa. rename Heqr1 into Pg.
     assert (Poly : forall k f, numbered (polygons c) k = Some f ->
-      check_polygon (kind c) (whole_mesh c)
+      check_polygon false (kind c) (whole_mesh c)
       (mesh_of (whole_mesh c)) (mark_table (domain_part c)) f = Accepted).
     { intros k f E. apply (each_accepted _ _ Pg) in E. unfold in_polygon in E.
-      destruct (check_polygon _ _ _ _ f); [reflexivity|discriminate]. }
+      destruct (check_polygon _ _ _ _ _ f); [reflexivity|discriminate]. }
     assert (Shown : forall N i w, shown_by_polygon (Table.of_list tables_of (polygons c)) N i w =
       true ->
       exists g, In g (polygons c) /\
         within (conv (map (spot 3 (whole_mesh c)) (Checker.remove i N)))
         (polygon_points (polygon_of 3 c g))).
-    { intros N i w Sh. unfold shown_by_polygon in Sh. rewrite table_find in Sh.
-      destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate].
-      cbn [option_map] in Sh.
-      cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh.
-      apply andb_prop in Sh. destruct Sh as [Kt Sh].
-      destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
-      exists g. split; [now apply numbered_in with (fst w)|]. intros x C.
-      apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g
-        (shape_ok _ _ _ g (Poly _ g G)) x).
-      exists (snd w), s. split; [assumption|]. split; [assumption|].
-      apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i N))); [|assumption].
-      intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
-      now apply (same_members_spec _ _ Sh). }
+    { exact (shown_piece c Mesh false Poly). }
     assert (Flagged : kind c = Enclosed ->
       forall x, flagged_points (d := 3) (whole_mesh c) (domain_part c) x <->
       exists f, In f (map (polygon_of 3 c) (polygons c)) /\ polygon_points f x).
@@ -258,19 +255,19 @@ Proof.
         cbn [domain_of_certificate domain_polygons]. now apply in_map. }
     apply steiner_from_cells.
     + exact (kept_complex oriented3 space_computes _ Mesh _ false _ _ Pa).
-    + exact (vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa).
+    + exact (fun v => vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa v eq_refl).
     + intros a b I. apply in_map_iff in I. destruct I as (s & E & I).
       pose proof (segment_union oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _
-        false _ _ Pa s I)
+        false _ _ Pa s eq_refl I)
         as U. rewrite E in U. exact U.
     + intros f I. apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
       destruct I as (k & E).
       exact (polygon_union (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g
-        (Poly k g E)).
+        (Poly k g E) eq_refl).
     + intros q. unfold region, domain_of_certificate. cbn [what_it_fills].
       destruct (kind c) eqn:K.
       * apply (kept_enclosed oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false
           _ _ Pa);
-          [reflexivity|]. intros x. symmetry. apply Flagged. reflexivity.
+          [reflexivity|reflexivity|]. intros x. symmetry. apply Flagged. reflexivity.
       * exact (kept_hull oriented3 space_computes _ Mesh _ false _ _ Pa q eq_refl).
 Qed.

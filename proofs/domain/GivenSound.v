@@ -7,7 +7,7 @@ From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import GivenDomain Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Breach Necessary.
 From Circumspect Require Import Orientation Integers Accepted RefutationSigns.
-From Circumspect Require Import Combinations Lists KeptMesh KeptCells Polygons Balls DomainRefuted
+From Circumspect Require Import Combinations Lists KeptMesh KeptCells Pieces Balls DomainRefuted
   PolygonPoints.
 From Circumspect Require Import Definitions Domains DomainRules.
 Import ListNotations.

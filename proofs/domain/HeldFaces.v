@@ -116,7 +116,7 @@ Hypothesis accepts : check_in pr c = Accepted.
 Variable p : part.
 Variables (planar : bool) (kind : domain_kind).
 Variable shown : list positive -> nat -> positive * positive -> bool.
-Hypothesis part_accepts : check_part pr planar kind c p shown = Accepted.
+Hypothesis part_accepts : check_part pr false planar kind c p shown = Accepted.
 
 Notation spot := (spot d c).
 Notation m := (mesh_of c).

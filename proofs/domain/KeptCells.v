@@ -43,9 +43,10 @@ Hypothesis positive_d : (1 <= d)%nat.
 Variable c : certificate.
 Hypothesis accepts : check_in pr c = Accepted.
 Variable p : part.
+Context {loose : bool}.
 Variables (planar : bool) (kind : domain_kind).
 Variable shown : list positive -> nat -> positive * positive -> bool.
-Hypothesis part_accepts : check_part pr planar kind c p shown = Accepted.
+Hypothesis part_accepts : check_part pr loose planar kind c p shown = Accepted.
 
 Notation r := (unit_of c).
 Notation spot := (spot d c).
@@ -109,21 +110,18 @@ Proof.
   apply in_part_vertices. exists k, e, t. auto.
 Qed.
 
-Theorem vertices_kept v : In v (part_vertices d c p) -> exists t, In t T /\ In v t.
+Theorem vertices_kept v : loose = false -> In v (part_vertices d c p) -> exists t, In t T /\ In v t.
 Proof.
-  intros I. apply in_part_vertices in I. destruct I as (k & e & t & E & K & ->).
+  intros Tight I. apply in_part_vertices in I. destruct I as (k & e & t & E & K & ->).
   destruct parts as (_ & H & _). apply each_pair_accepted in H. destruct H as [_ H].
   specialize (H k e _ E K). unfold check_role in H. accepted. apply andb_prop in Heqb.
-  destruct Heqb as [Kt M]. rewrite (find_simplex (c := c)) in M.
+  destruct Heqb as [Kt M]. rewrite Tight in Kt. rewrite (find_simplex (c := c)) in M.
   destruct (numbered (simplices c) t) as [s|] eqn:Es; [|discriminate].
   exists (map spot (corners s)). split; [apply kept_members; eauto|].
   apply in_map. now apply member_in.
 Qed.
 
 (** ** Segments *)
-
-Fixpoint edges_from (u : positive) (l : list link) : list (list positive) :=
-  match l with [] => [] | s :: l' => [u; reached s] :: edges_from (reached s) l' end.
 
 Section Segment.
 Variables (a b : site).
@@ -142,9 +140,9 @@ Proof.
   unfold on_it, ratio_of. rewrite <- Q, S. auto.
 Qed.
 Lemma linked_edges l : forall u, on_it u ->
-  linked m planar kind marks_of a b u l = true ->
+  linked m loose planar kind marks_of a b u l = true ->
   forall x, In x (edges_from u l) -> exists y z t i, x = [y; z] /\ on_it y /\ on_it z /\
-    edge_of m planar kind marks_of t i y z = true.
+    edge_of m loose planar kind marks_of t i y z = true.
 Proof.
   induction l as [|s l IH]; intros u U L x I; [destruct I|]. cbn [linked] in L. cbv zeta in L.
   apply andb_prop in L. destruct L as [L L2]. apply andb_prop in L. destruct L as [Ed L1].
@@ -153,7 +151,7 @@ Proof.
   - exists u, (reached s), (link_simplex s), (link_facet s). auto.
   - now apply (IH (reached s) V L2).
 Qed.
-Lemma linked_covers l : forall u t, on_it u -> linked m planar kind marks_of a b u l = true ->
+Lemma linked_covers l : forall u t, on_it u -> linked m loose planar kind marks_of a b u l = true ->
   l <> [] -> ratio_of u <= t -> t <= ratio_of (last (map reached l) u) ->
   exists x, In x (edges_from u l) /\ conv (map spot x) (between A B t).
 Proof.
@@ -178,7 +176,7 @@ End Segment.
 Lemma segment_checked n s : numbered (segments p) n = Some s -> exists a b,
   Table.find (from s) (points_of m) = Some a /\
   Table.find (last (map reached (links s)) (from s)) (points_of m) = Some b /\
-  on_segment a b b = true /\ linked m planar kind marks_of a b (from s) (links s) = true.
+  on_segment a b b = true /\ linked m loose planar kind marks_of a b (from s) (links s) = true.
 Proof.
   intros E. destruct parts as (_ & _ & H & _). apply (each_accepted _ _ H) in E.
   unfold check_segment in E. cbv zeta in E. accepted. apply andb_prop in Heqb.
@@ -188,8 +186,9 @@ Proof.
     [|discriminate].
   apply andb_prop in K. destruct K. exists a, b. auto.
 Qed.
-Lemma edge_spec t i u v : edge_of m planar kind marks_of t i u v = true -> exists e, entry t e /\
-  kept_at marks_of t = true /\ u <> v /\ In u (corners e) /\ In v (corners e) /\
+Lemma edge_spec t i u v : edge_of m loose planar kind marks_of t i u v = true -> exists e, entry t
+  e /\
+  (loose = false -> kept_at marks_of t = true) /\ u <> v /\ In u (corners e) /\ In v (corners e) /\
   (planar = true -> kind = Enclosed -> (i <= d)%nat /\ flagged_at marks_of t i = true /\
      forall x, In x (Checker.remove i (corners e)) <-> In x [u; v]).
 Proof.
@@ -198,6 +197,7 @@ Proof.
   destruct (numbered (simplices c) t) as [e|] eqn:E; [|discriminate]. exists e.
   apply andb_prop in K. destruct K as [K F]. apply andb_prop in K. destruct K as [U V].
   apply member_in in U, V. apply negb_true_iff, Pos.eqb_neq in N.
+  split; [reflexivity|]. split; [now intros L; rewrite L in Kt|].
   repeat (split; [assumption || reflexivity|]). intros -> ->.
   apply andb_prop in F. destruct F as [F S]. apply andb_prop in F. destruct F as [Fa Fl].
   split; [|split; [assumption|now apply same_members_spec]].
@@ -236,7 +236,7 @@ Qed.
 (** The steps are edges of kept simplices; in the plane, walls. *)
 Lemma step_edge s x : In s (segments p) -> In x (edges_from (from s) (links s)) ->
   exists u l, x = [u; reached l] /\ In l (links s) /\
-    edge_of m planar kind marks_of (link_simplex l) (link_facet l) u (reached l) = true.
+    edge_of m loose planar kind marks_of (link_simplex l) (link_facet l) u (reached l) = true.
 Proof.
   intros I Ix. apply in_numbered in I. destruct I as (n & E).
   destruct (segment_checked n s E) as (a & b & _ & _ & _ & L). revert L Ix.
@@ -248,7 +248,8 @@ Proof.
     split; [now right|assumption].
 Qed.
 Theorem segment_edges s : In s (segments p) -> exists F : list (list positive),
-  (forall x, In x F -> exists y z t i, x = [y; z] /\ edge_of m planar kind marks_of t i y z = true)
+  (forall x, In x F -> exists y z t i, x = [y; z] /\ edge_of m loose planar kind marks_of t i y z
+    = true)
     /\
   forall q, conv [fst (segment_ends d c s); snd (segment_ends d c s)] q <->
     exists x, In x F /\ conv (map spot x) q.
@@ -256,13 +257,14 @@ Proof.
   intros I. exists (edges_from (from s) (links s)). split; [|now apply segment_covered].
   intros x Ix. destruct (step_edge s x I Ix) as (u & l & -> & _ & K). eauto 6.
 Qed.
-Theorem segment_union s : In s (segments p) ->
+Theorem segment_union s : loose = false -> In s (segments p) ->
   union_of_simplices T (fun q => conv [fst (segment_ends d c s); snd (segment_ends d c s)] q).
 Proof.
-  intros I. destruct (segment_edges s I) as (F & H & C). exists (map (map spot) F). split.
+  intros Tight I. destruct (segment_edges s I) as (F & H & C). exists (map (map spot) F). split.
   - intros x Ix. apply in_map_iff in Ix. destruct Ix as (y & <- & Iy).
     destruct (H y Iy) as (u & v & t & i & -> & K). apply edge_spec in K.
-    destruct K as (e & E & Kt & N & U & V & _). destruct kept_exists as (geo & G).
+    destruct K as (e & E & Kt & N & U & V & _). specialize (Kt Tight).
+    destruct kept_exists as (geo & G).
     split; [|split; [discriminate|]].
     + constructor; [|constructor; [intros []|constructor]]. intros [X|[]].
       now apply (corner_spots Co positive_d c geo G t e u v E U V N).
@@ -278,19 +280,22 @@ Qed.
 Definition flagged_points (q : point d) : Prop := exists t e i, entry t e /\ (i <= d)%nat /\
   flagged_at marks_of t i = true /\ conv (map spot (Checker.remove i (corners e))) q.
 
-Theorem kept_enclosed W q : kind = Enclosed -> (forall x, W x <-> flagged_points x) ->
-  enclosed (fun _ => True) W (part_holes d c p) q <-> exists t, In t T /\ conv t q.
+Section Walls.
+Variables (W : point d -> Prop) (geo : positive -> frame d).
+Hypothesis G : forall t e, entry t e -> lists (map spot (corners e)) (geo t).
+Hypothesis walls_flagged : forall x, W x <-> flagged_points x.
+
+Lemma flagged_walls x : W x <-> walls_in c p geo x.
 Proof.
-  intros K HW. destruct kept_exists as (geo & G).
-  assert (HF : forall x, W x <-> walls_in c p geo x).
-  { intros x. rewrite HW. split.
-    - intros (t & e & i & E & Hi & F & C). exists t, i. split; [apply in_tets; eauto|].
-      repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
-    - intros (t & i & Ht & Hi & F & O). apply in_tets in Ht. destruct Ht as (e & E). exists t, e, i.
-      repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e). }
-  transitivity (enclosed (fun _ => True) (walls_in c p geo) (part_holes d c p) q).
-  { split; apply enclosed_ext; intros x; [|symmetry]; apply HF. }
-  rewrite (enclosed_kept Or Co positive_d c accepts p planar kind shown part_accepts geo G K).
+  rewrite walls_flagged. split.
+  - intros (t & e & i & E & Hi & F & C). exists t, i. split; [apply in_tets; eauto|].
+    repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
+  - intros (t & i & Ht & Hi & F & O). apply in_tets in Ht. destruct Ht as (e & E). exists t, e, i.
+    repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
+Qed.
+Lemma kept_filled q : (exists t, In t (tets c) /\ kept_at marks_of t = true /\
+  inside_closed (geo t) q) <-> exists t, In t T /\ conv t q.
+Proof.
   split.
   - intros (t & Ht & Kt & I). apply in_tets in Ht. destruct Ht as (e & E).
     exists (map spot (corners e)). split; [apply kept_members; eauto|].
@@ -298,6 +303,26 @@ Proof.
   - intros (s & Is & C). apply kept_members in Is. destruct Is as (t & e & E & Kt & ->). exists t.
     split; [apply in_tets; eauto|]. split; [assumption|].
     rewrite <- (entry_vertices c geo G t e E) in C. now apply conv_vertices.
+Qed.
+Lemma enclosed_filled q : kind = Enclosed -> enclosed (fun _ => True) W (part_holes d c p) q <->
+  W q \/ exists t, In t T /\ conv t q.
+Proof.
+  intros K. rewrite <- kept_filled, flagged_walls.
+  rewrite <- (enclosed_walls Or Co positive_d c accepts p planar kind shown part_accepts geo G K).
+  split; apply enclosed_ext; intros x; [|symmetry]; apply flagged_walls.
+Qed.
+End Walls.
+Theorem walls_and_kept W q : kind = Enclosed -> (forall x, W x <-> flagged_points x) ->
+  enclosed (fun _ => True) W (part_holes d c p) q <-> W q \/ exists t, In t T /\ conv t q.
+Proof. intros K HW. destruct kept_exists as (geo & G). now apply (enclosed_filled W geo). Qed.
+Theorem kept_enclosed W q : loose = false -> kind = Enclosed ->
+  (forall x, W x <-> flagged_points x) ->
+  enclosed (fun _ => True) W (part_holes d c p) q <-> exists t, In t T /\ conv t q.
+Proof.
+  intros Tight K HW. rewrite (walls_and_kept W q K HW). destruct kept_exists as (geo & G).
+  split; [intros [X|X]; [|assumption]|now right].
+  apply (kept_filled geo G), (walls_kept Or Co positive_d c accepts p planar kind shown part_accepts
+    geo G K q Tight), (flagged_walls W geo G HW), X.
 Qed.
 Lemma flagged_is_shown t e i : kind = Enclosed -> entry t e -> (i <= d)%nat ->
   flagged_at marks_of t i = true -> exists w, shown (corners e) i w = true.

@@ -21,9 +21,10 @@ Hypothesis positive_d : (1 <= d)%nat.
 Variable c : certificate.
 Hypothesis accepts : check_in pr c = Accepted.
 Variable p : part.
+Context {loose : bool}.
 Variables (planar : bool) (kind : domain_kind).
 Variable shown : list positive -> nat -> positive * positive -> bool.
-Hypothesis part_accepts : check_part pr planar kind c p shown = Accepted.
+Hypothesis part_accepts : check_part pr loose planar kind c p shown = Accepted.
 
 Notation r := (unit_of c).
 Notation spot := (spot d c).
@@ -42,18 +43,18 @@ Proof. rewrite table_find. now destruct (numbered l k). Qed.
 (** ** The conditions *)
 
 Lemma part_parts : weights_of (claimed c) = false /\
-  each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c)
+  each_pair role_shown AtPoint (check_role pr m loose kind roles_of marks_of) 1 (points c)
     (roles p) = Accepted /\
-  each (check_segment m planar kind roles_of marks_of) 1 (segments p) = Accepted /\
+  each (check_segment m loose planar kind roles_of marks_of) 1 (segments p) = Accepted /\
   each (check_hole pr m marks_of (simplices c) (marks p)) 1 (holes p) = Accepted /\
-  each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
+  each_pair mark_consistent AtSimplex (check_mark loose kind holes_of marks_of shown) 1
     (simplices c) (marks p) = Accepted.
 Proof.
   pose proof part_accepts as H. unfold check_part in H. cbv zeta in H. accepted.
   apply negb_true_iff in Heqb. auto.
 Qed.
 Lemma mark_of t e : entry t e -> exists k, numbered (marks p) t = Some k /\
-  kept_at marks_of t = kept k /\ check_mark kind holes_of marks_of shown t e k = Accepted.
+  kept_at marks_of t = kept k /\ check_mark loose kind holes_of marks_of shown t e k = Accepted.
 Proof.
   intros E. destruct part_parts as (_ & _ & _ & _ & H). apply each_pair_accepted in H.
   destruct H as [L H]. destruct (numbered_beside _ _ _ _ L E) as (k & K). exists k.
@@ -252,7 +253,7 @@ Hypothesis is_enclosed : kind = Enclosed.
 (** What the marks of a simplex and of its neighbour are. *)
 Lemma facet_checked t e i f : entry t e -> nth_error (walls e) i = Some f -> exists k,
   numbered (marks p) t = Some k /\ kept_at marks_of t = kept k /\
-    consistent marks_of k i f = true /\
+    consistent loose marks_of k i f = true /\
   DomainChecker.gets_out holes_of marks_of t e k = true /\
   (forall w, flag k i = Some w -> shown (corners e) i w = true).
 Proof.
@@ -271,7 +272,7 @@ Qed.
 Lemma across_checked t i u j : adj c t i u j -> exists k k', numbered (marks p) t = Some k /\
   numbered (marks p) u = Some k' /\ kept_at marks_of t = kept k /\ kept_at marks_of u = kept k' /\
   match flag k i, flag k' j with
-  | Some _, Some _ => kept k || kept k'
+  | Some _, Some _ => loose || kept k || kept k'
   | None, None => Bool.eqb (kept k) (kept k')
   | _, _ => false
   end = true.
@@ -307,11 +308,11 @@ Proof.
   destruct (flag k i) as [w|]; [eauto|]. rewrite <- Kt, Kp in C. discriminate.
 Qed.
 
-(** A wall has a kept simplex beside it. *)
-Lemma walls_kept q : walls_in q -> exists t, In t tets /\ kept_at marks_of t = true /\
-  inside_closed (geo t) q.
+(** A wall has a kept simplex beside it, if nothing dangles. *)
+Lemma walls_kept q : loose = false -> walls_in q ->
+  exists t, In t tets /\ kept_at marks_of t = true /\ inside_closed (geo t) q.
 Proof.
-  intros (t & i & Ht & Hi & W & Z & I). pose proof Ht as Ht'. apply in_tets in Ht'.
+  intros Tight (t & i & Ht & Hi & W & Z & I). pose proof Ht as Ht'. apply in_tets in Ht'.
   destruct Ht' as (e & E). destruct (wall_exists t e i E Hi) as (f & F).
   destruct (facet_checked t e i f E F) as (k & K & Kt & C & _).
   apply (wall_at_flag t k i K) in W. destruct W as (w & Fw).
@@ -319,13 +320,14 @@ Proof.
   - assert (A : adj c t i u j) by now exists e.
     destruct (across_checked t i u j A) as (k1 & k' & K1 & K' & _ & Ku & C').
     assert (k1 = k) by congruence. subst k1. rewrite Fw in C'.
-    destruct (flag k' j); [|discriminate]. apply orb_prop in C'. destruct C' as [C'|C'].
+    destruct (flag k' j); [|discriminate]. rewrite Tight in C'. apply orb_prop in C'.
+    destruct C' as [C'|C'].
     + exists t. rewrite Kt. auto.
     + apply adjacent_adj in A. pose proof A as (_ & Hu & O). exists u. rewrite Ku.
       split; [assumption|]. split; [assumption|]. apply opposite_facets in O.
       destruct O as (_ & Hj & S & _).
       apply (on_facet_conv u j q Hj). apply (conv_same _ _ q S). now apply on_facet_conv.
-  - cbn [consistent] in C. rewrite Fw in C. exists t. rewrite Kt. auto.
+  - cbn [consistent] in C. rewrite Fw, Tight in C. exists t. rewrite Kt. auto.
 Qed.
 
 Lemma all_sides_spec f h X : all_sides pr f (S (dimension pr)) X h = true ->
@@ -419,14 +421,14 @@ Qed.
 Definition rank_of (t : positive) : nat :=
   match numbered (marks p) t with Some k => Pos.to_nat (rank k) | None => 0 end.
 
-Theorem enclosed_kept q :
-  enclosed (fun _ => True) walls_in (part_holes d c p) q <->
+Theorem enclosed_walls q :
+  enclosed (fun _ => True) walls_in (part_holes d c p) q <-> walls_in q \/
   exists t, In t tets /\ kept_at marks_of t = true /\ inside_closed (geo t) q.
 Proof.
   rewrite (enclosed_inner tets geo V positive_d certificate_fills
     wall_at walls_in (fun q => iff_refl _) walls_in_dec wall_in_both (kept_at marks_of) same_across
     kept_closed_off (part_holes d c p)) with (rank := rank_of).
-  - split; [intros [W|I]; [now apply walls_kept|assumption]|now right].
+  - reflexivity.
   - intros x Hx. apply in_map_iff in Hx. destruct Hx as (h & <- & I). apply in_numbered in I.
     destruct I as (n & N). destruct (hole_checked n h N) as (K & It & Is & Off).
     split; [assumption|]. exists (hole_simplex h). auto.
@@ -455,6 +457,13 @@ Proof.
       apply Pos.ltb_lt in W. right. right. exists i, u, j. split; [|split; [now apply Open|]].
       * apply adjacent_adj. now exists e.
       * unfold rank_of. rewrite K, K'. lia.
+Qed.
+Theorem enclosed_kept q : loose = false ->
+  enclosed (fun _ => True) walls_in (part_holes d c p) q <->
+  exists t, In t tets /\ kept_at marks_of t = true /\ inside_closed (geo t) q.
+Proof.
+  intros Tight. rewrite enclosed_walls.
+  split; [intros [W|I]; [now apply walls_kept|assumption]|now right].
 Qed.
 End Enclosed.
 End Geometry.

@@ -15,23 +15,17 @@ Notation mark_table p := (Table.of_list Datatypes.id (marks p)).
 
 (** ** The plane *)
 
-Section Plane.
+Section Walls.
+Context {loose : bool}.
 Variables (kind : domain_kind) (c : certificate) (p : part).
-Hypothesis accepts : check_in_plane kind c p = Accepted.
-Notation T := (part_simplices 2 c p).
+Hypothesis mesh_ok : check_in plane_predicates c = Accepted.
 Notation spot := (spot 2 c).
-
-Lemma plane_mesh_accepted : check_in plane_predicates c = Accepted.
-Proof. pose proof accepts as H. unfold check_in_plane in H. now accepted. Qed.
-Lemma plane_part_accepted :
-  check_part plane_predicates true kind c p (shown_by_segment c p) = Accepted.
-Proof. pose proof accepts as H. unfold check_in_plane in H. now accepted. Qed.
-Let mesh_ok := plane_mesh_accepted.
-Let part_ok := plane_part_accepted.
+Hypothesis part_ok :
+  check_part plane_predicates loose true kind c p (shown_by_segment c p) = Accepted.
 Let two : (1 <= 2)%nat := le_S 1 1 (le_n 1).
 
 (** What is shown to be part of a segment is on it. *)
-Lemma shown_segment K i w : shown_by_segment c p K i w = true ->
+Lemma shown_on_segment K i w : shown_by_segment c p K i w = true ->
   exists s, numbered (segments p) (fst w) = Some s /\
   forall q, conv (map spot (Checker.remove i K)) q ->
     conv [fst (segment_ends 2 c s); snd (segment_ends 2 c s)] q.
@@ -53,7 +47,7 @@ Proof.
   unfold segment_ends. cbn [fst snd]. rewrite Sa, Sb, Sx. apply conv_two. exists (ratio a b x).
   now apply on_segment_between.
 Qed.
-Lemma segments_flagged q : kind = Enclosed ->
+Lemma flagged_segments q : kind = Enclosed ->
   on_segments (part_segments 2 c p) q <-> flagged_points (d := 2) c p q.
 Proof.
   intros K. split.
@@ -70,17 +64,35 @@ Proof.
     destruct (flagged_is_shown oriented2 plane_computes two c mesh_ok p true kind _ part_ok t e i K
       E Hi Fl)
       as (w & Sh).
-    destruct (shown_segment _ _ _ Sh) as (s & Es & In_s).
+    destruct (shown_on_segment _ _ _ Sh) as (s & Es & In_s).
     exists (fst (segment_ends 2 c s)), (snd (segment_ends 2 c s)). split; [|now apply In_s].
     rewrite <- surjective_pairing. apply in_map. now apply numbered_in with (fst w).
 Qed.
+End Walls.
+
+Section Plane.
+Variables (kind : domain_kind) (c : certificate) (p : part).
+Hypothesis accepts : check_in_plane kind c p = Accepted.
+Notation T := (part_simplices 2 c p).
+
+Lemma plane_mesh_accepted : check_in plane_predicates c = Accepted.
+Proof. pose proof accepts as H. unfold check_in_plane in H. now accepted. Qed.
+Lemma plane_part_accepted :
+  check_part plane_predicates false true kind c p (shown_by_segment c p) = Accepted.
+Proof. pose proof accepts as H. unfold check_in_plane in H. now accepted. Qed.
+Let mesh_ok := plane_mesh_accepted.
+Let part_ok := plane_part_accepted.
+Let two : (1 <= 2)%nat := le_S 1 1 (le_n 1).
+
+Definition shown_segment := shown_on_segment c p plane_mesh_accepted.
+Definition segments_flagged := flagged_segments kind c p plane_mesh_accepted plane_part_accepted.
 
 Theorem plane_enclosed q : kind = Enclosed ->
   enclosed (fun _ => True) (on_segments (part_segments 2 c p)) (part_holes 2 c p) q <->
   exists t, In t T /\ conv t q.
 Proof.
   intros K. apply (kept_enclosed oriented2 plane_computes two c mesh_ok p true kind _ part_ok);
-    [assumption|].
+    [reflexivity|assumption|].
   intros x. now apply segments_flagged.
 Qed.
 End Plane.
@@ -158,14 +170,13 @@ Proof.
   rewrite S. unfold flat, place_of. split; [rewrite F; ring|].
   rewrite Sh, (spot_numbered 2 p2 k e E), same_unit. reflexivity.
 Qed.
-Definition up (k : positive) : point 3 :=
-  match numbered (above f) k with Some j => spot j | None => origin end.
+Notation up := (spot_above 3 c f).
 Lemma up_spec k q : Table.find k (points_of (mesh_of p2)) = Some q -> flat n o (up k) /\
   sh (up k) = spot2 k.
 Proof.
   intros Q. rewrite (find_point (c := p2)) in Q. destruct (numbered (points p2) k) as [e|] eqn:E;
     [|discriminate].
-  destruct (above_spec k e E) as (j & J & F). unfold up. now rewrite J.
+  destruct (above_spec k e E) as (j & J & F). unfold spot_above. now rewrite J.
 Qed.
 
 (** One of its segments, and its picture. *)
@@ -184,7 +195,7 @@ Qed.
 Lemma rim_shadow q : flat n o q ->
   on_segments (rim (polygon_of 3 D f)) q <-> on_segments (part_segments 2 p2 part2) (sh q).
 Proof.
-  intros Q. unfold polygon_of. rewrite of_D. cbn [rim]. fold up. split.
+  intros Q. unfold polygon_of. rewrite of_D. cbn [rim]. split.
   - intros (a & b & I & C). apply in_map_iff in I. destruct I as (s & E & Is). injection E as <- <-.
     apply (rim_segment s Is) in C. destruct C as [_ C]. eexists _, _. split; [|exact C].
     unfold part_segments. rewrite <- surjective_pairing. now apply in_map.
@@ -300,122 +311,3 @@ Proof.
   cbn in E0, E1, E2. apply eq_IZR in E0, E1, E2. subst.
   destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
 Qed.
-
-(** Its place in the mesh. *)
-Section Polygon.
-Variables (kind : domain_kind) (c : certificate) (p : part).
-Hypothesis accepts : check_in space_predicates c = Accepted.
-Variable shown : list positive -> nat -> positive * positive -> bool.
-Hypothesis part_accepts : check_part space_predicates false kind c p shown = Accepted.
-Variable D : domain_certificate.
-Hypothesis of_D : whole_mesh D = c.
-Variable f : polygon_entry.
-Hypothesis polygon_accepts : check_polygon kind c (mesh_of c) (mark_table p) f = Accepted.
-
-Notation spot := (spot 3 c).
-Notation p2 := (plane_mesh f).
-Notation part2 := (plane_part f).
-Notation spot2 := (Definitions.spot 2 p2).
-Notation sh := (shadow (axis f)).
-
-Lemma spots_known j q : Table.find j (points_of (mesh_of c)) = Some q ->
-  spot j = place_of (unit_of c) q.
-Proof. intros Q. apply (point_known space_computes c accepts j q Q). Qed.
-Lemma shape_ok : check_shape c (mesh_of c) f = Accepted.
-Proof. pose proof polygon_accepts as H. unfold check_polygon in H. now accepted. Qed.
-Let flat_ok := plane_ok c f shape_ok.
-Let named_spec := named_spec c spots_known f shape_ok.
-Let polygon_covered := polygon_covered c spots_known D of_D f shape_ok.
-
-Lemma tile_at u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (tiles f) u = Some (t, i) /\ numbered (simplices c) t = Some e /\
-    kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
-    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
-    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
-      In x (Checker.remove i (corners e)).
-Proof.
-  intros E K. pose proof polygon_accepts as H. unfold check_polygon in H. cbv zeta in H.
-  destruct (check_shape c (mesh_of c) f); [|discriminate]. apply each_pair_accepted in H.
-  destruct H as [L H].
-  destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E)
-    as (k & Ek & Kt & _).
-  assert (Eb : numbered (combine (simplices p2) (marks part2)) u = Some (s, k)).
-  { unfold numbered in *. now apply nth_error_combine. }
-  destruct (numbered_beside _ _ _ _ L Eb) as (ti & Ti). specialize (H u _ ti Eb Ti).
-  unfold check_tile in H. accepted. cbn [fst snd] in Heqb. rewrite <- Kt, K in Heqb.
-  cbn [negb orb] in Heqb.
-  apply andb_prop in Heqb. destruct Heqb as [Hk M]. apply andb_prop in Hk. destruct Hk as [Hk Fl].
-  rewrite (find_simplex (c := c)) in M.
-  destruct (numbered (simplices c) (fst ti)) as [e|] eqn:Ee; [|discriminate].
-  apply andb_prop in M. destruct M as [Fa M]. exists (fst ti), (snd ti), e.
-  split; [now rewrite <- surjective_pairing|].
-  split; [assumption|]. split; [assumption|]. split; [|split].
-  - apply (CertifiedMesh.wall_index space_computes c accepts (fst ti) e); [assumption|].
-    unfold has_facet in Fa. destruct (nth_error (walls e) (snd ti)); discriminate.
-  - intros Kd. now rewrite Kd in Fl.
-  - now apply same_members_spec.
-Qed.
-
-Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\
-    (i <= 3)%nat /\
-    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
-    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
-      In x (Checker.remove i (corners e)).
-Proof. intros E K. destruct (tile_at u s E K) as (t & i & e & _ & H). eauto. Qed.
-
-Theorem polygon_union : union_of_simplices (part_simplices 3 c p)
-  (polygon_points (polygon_of 3 D f)).
-Proof.
-  set (g (s : simplex_entry) :=
-    map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))).
-  set (F := flat_map (fun em : simplex_entry * mark => if kept (snd em) then [g (fst em)] else [])
-    (combine (simplices p2) (marks part2))).
-  assert (InF : forall x, In x F <-> exists u s, numbered (simplices p2) u = Some s /\
-    kept_at (mark_table part2) u = true /\ x = g s).
-  { intros x. unfold F. rewrite in_flat_map. split.
-    - intros ((s & k) & I & X). cbn [fst snd] in X. destruct (kept k) eqn:K; [|destruct X].
-      destruct X as [<-|[]]. apply In_nth_error in I. destruct I as (i & I).
-      apply nth_error_combine in I. destruct I as [Is Ik]. exists (Pos.of_succ_nat i), s.
-      unfold numbered, kept_at. rewrite find_id. unfold numbered. rewrite !SuccNat2Pos.id_succ.
-      cbn [pred].
-      now rewrite Is, Ik.
-    - intros (u & s & E & K & ->).
-      destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E)
-        as (k & Ek & Kt & _).
-      exists (s, k). split.
-      + unfold numbered in E, Ek. apply nth_error_In with (pred (Pos.to_nat u)).
-        now apply nth_error_combine.
-      + cbn [fst snd]. rewrite <- Kt, K. now left. }
-  exists F. split.
-  - intros x Ix. apply InF in Ix. destruct Ix as (u & s & E & K & ->).
-    destruct (tile_spec u s E K) as (t & i & e & Ee & Kt & Hi & _ & M).
-    destruct (named_spec u s E) as [_ Sh]. fold (g s) in Sh.
-    destruct (kept_complex oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok)
-      part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok)) as (Nd & _).
-    destruct (Nd (map spot2 (corners s))) as [N2 L2].
-    { apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok) part2 true
-        Enclosed _
-      (plane_part_accepted _ _ _ flat_ok)). eauto. }
-    split; [|split].
-    + apply (NoDup_map_inv sh). now rewrite Sh.
-    + intros Z. rewrite Z in Sh. rewrite <- Sh in L2. discriminate.
-    + exists (map spot (corners e)). split.
-      * apply (kept_members oriented3 space_computes c accepts p false kind _ part_accepts). eauto.
-      * intros y Iy. apply in_map_iff in Iy. destruct Iy as (k & <- & Ik). apply in_map.
-        apply M, in_remove in Ik. destruct Ik as (j & _ & Ej). now apply nth_error_In with j.
-  - intros q. rewrite polygon_covered. split.
-    + intros (u & s & E & K & C). exists (g s). split; [apply InF; eauto|assumption].
-    + intros (x & Ix & C). apply InF in Ix. destruct Ix as (u & s & E & K & ->). eauto.
-Qed.
-Lemma polygon_flagged q : kind = Enclosed -> polygon_points (polygon_of 3 D f) q ->
-  flagged_points (d := 3) c p q.
-Proof.
-  intros K H. apply polygon_covered in H. destruct H as (u & s & E & Ku & C).
-  destruct (tile_spec u s E Ku) as (t & i & e & Ee & Kt & Hi & Fl & M). exists t, e, i.
-  split; [assumption|]. split; [assumption|]. split; [now apply Fl|].
-  apply (conv_incl (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))));
-    [|assumption].
-  intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). apply in_map. now apply M.
-Qed.
-End Polygon.

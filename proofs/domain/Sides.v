@@ -9,7 +9,7 @@ From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh A
   Boundary.
 From Circumspect Require Import Combinations Shadow Orientation Integers Accepted CertifiedMesh
   Soundness.
-From Circumspect Require Import KeptMesh KeptCells Polygons Definitions Domains.
+From Circumspect Require Import KeptMesh KeptCells Pieces Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -28,7 +28,7 @@ Hypothesis accepts : check_in pr c = Accepted.
 Variable p : part.
 Variable planar : bool.
 Variable shown : list positive -> nat -> positive * positive -> bool.
-Hypothesis part_accepts : check_part pr planar Enclosed c p shown = Accepted.
+Hypothesis part_accepts : check_part pr false planar Enclosed c p shown = Accepted.
 
 Notation spot := (spot d c).
 Notation entry t e := (numbered (simplices c) t = Some e).
@@ -168,14 +168,16 @@ Proof.
     apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). now apply in_map, M. }
   assert (Fx : filled T x).
   { exists (map (spot 2 c) (corners e')). split.
-    - apply (kept_members oriented2 plane_computes c mesh_ok p true Enclosed _ part_ok). eauto.
+    - apply (kept_members oriented2 plane_computes c mesh_ok p true Enclosed _ part_ok).
+      exists (link_simplex l), e'. auto.
     - apply (conv_incl (map (spot 2 c) (Checker.remove (link_facet l) (corners e'))));
         [|assumption].
       intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
       apply in_remove in Ij. destruct Ij as (a & _ & Ij). now apply nth_error_In with a. }
   split; [assumption|].
   apply (leaving_facet oriented2 plane_computes two c mesh_ok p true _ part_ok x Fx).
-  exists (link_simplex l), e', (link_facet l). repeat (split; [assumption|]). split; [|assumption].
+  exists (link_simplex l), e', (link_facet l). specialize (K' eq_refl).
+  repeat (split; [assumption|]). split; [|assumption].
   apply (each_accepted _ _ Ln) in Es. unfold check_links in Es. accepted.
   rewrite forallb_forall in Heqb.
   specialize (Heqb l Il). apply (sided_spec c p sides _ _ e' _ E') in Heqb. congruence.
@@ -190,12 +192,12 @@ Hypothesis accepts : check_in space_predicates c = Accepted.
 Variable D : domain_certificate.
 Hypothesis of_D : whole_mesh D = c.
 Variable f : polygon_entry.
-Hypothesis polygon_accepts : check_polygon kind c (mesh_of c) (mark_table p) f = Accepted.
+Hypothesis polygon_accepts : check_polygon false kind c (mesh_of c) (mark_table p) f = Accepted.
 Variable sides : list bool.
 Hypothesis sides_accept : check_plane_sides (plane_mesh f) (plane_part f) sides = Accepted.
 Notation P := (polygon_of 3 D f).
 Notation in_plane := (fun q => inner (plane_normal P) q = plane_offset P).
-Notation up := (up c f).
+Notation up := (spot_above 3 c f).
 
 Lemma in_plane_flat q : in_plane q <->
   flat (integer_point 3 (normal f)) (unit_of c * IZR (offset f)) q.

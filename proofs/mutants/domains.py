@@ -26,7 +26,7 @@ def polygon_text(f):
 def domain_text(c):
     lines = mesh_text(c["mesh"]).split("\n")[1:-2]
     lines.insert(0, "circumspect-certificate 1 %s %d %s%s" % (
-        c["claim"], c["mesh"]["d"], c["kind"], " plc" if "complex" in c else ""))
+        c["claim"], c["mesh"]["d"], c["kind"], " plc" if "complex" in c else " dangling" if "dangling" in c else ""))
     lines += part_text(c["part"])
     if c["mesh"]["d"] == 3:
         lines.append("polygons %d" % len(c["polygons"]))
@@ -112,7 +112,7 @@ def part(mesh, kept, corners, chains, walls, holes=(), weights=None):
     simplices = [row[0] for row in mesh["simplices"]]
 
     def with_vertices(vs):
-        return next((t for t in range(kept) if set(vs) <= set(simplices[t])), 0)
+        return next((t for t in range(len(simplices)) if set(vs) <= set(simplices[t])), 0)
 
     def flag(t, i):
         facet = frozenset(label[v - 1] for k, v in enumerate(simplices[t]) if k != i)
@@ -155,7 +155,7 @@ def plane_domain(claim, kind, points, simplices, kept, corners, chains, holes=()
             "part": part(mesh, kept, corners, chains, walls if kind == "enclosed" or claim.endswith("cdt") else {}, holes)}
 
 
-def triangle_polygon(mesh, points, triangle, kept):
+def triangle_polygon(mesh, points, triangle):
     """The polygon with these corners, which is one facet of the mesh."""
     a, b, c = (points[v] for v in triangle)
     u, v = ([x - y for x, y in zip(p, a)] for p in (b, c))
@@ -167,7 +167,7 @@ def triangle_polygon(mesh, points, triangle, kept):
     walls = {frozenset(e): (i + 1, 1) for i, e in enumerate(chains)}
     number = {row[4]: n + 1 for n, row in enumerate(mesh["points"])}
     wanted = {number[p] for p in triangle}
-    tile = next([t + 1, i] for t in range(kept) for i in range(4)
+    tile = next([t + 1, i] for t in range(len(mesh["simplices"])) for i in range(4)
                 if set(mesh["simplices"][t][0]) - {mesh["simplices"][t][0][i]} == wanted)
     return {"plane": normal + [sum(x * y for x, y in zip(normal, a)), axis], "mesh": plane,
             "part": part(plane, 1, {0, 1, 2}, chains, walls),
@@ -183,7 +183,7 @@ def space_domain(claim, kind, points, simplices, kept, triangles, chains):
     corners = {v for f in triangles for v in f}
     return {"claim": claim, "kind": kind, "mesh": mesh,
             "part": part(mesh, kept, corners, chains, walls if kind == "enclosed" else {}),
-            "polygons": [triangle_polygon(mesh, points, f, kept) for f in triangles]}
+            "polygons": [triangle_polygon(mesh, points, f) for f in triangles]}
 
 
 # A square with a notch below and a square hole, one of its vertices on the outline.
@@ -198,11 +198,48 @@ DENTED_TRIANGLES = [(4, 0, 1), (4, 0, 2), (4, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2
 DENTED_SEGMENTS = [(4, 0), (4, 1), (4, 2), (0, 1), (0, 2), (1, 2), (0, 3), (1, 3), (2, 3)]
 
 
+# A triangle with a whip, and a tetrahedron with a fin, which is on the hull.
+WHIP = [(0, 0), (4, 0), (0, 4), (6, 6), (5, 3)]
+WHIP_MESH = [(0, 1, 2), (1, 4, 2), (4, 3, 2)]
+WHIP_SEGMENTS = [(0, 1), (1, 2), (0, 2), (1, 4, 3)]
+FIN = [(0, 0, 0), (8, 0, 0), (0, 8, 0), (0, 0, 8), (9, 9, 9)]
+FIN_TRIANGLES = [(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3), (1, 2, 4)]
+FIN_SEGMENTS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3), (1, 4), (2, 4)]
+
+
+def where_something_dangles():
+    """Domains of which a segment or a polygon is in no kept simplex."""
+    def whip(claim, corners):
+        return dict(plane_domain(claim, "enclosed", WHIP, WHIP_MESH, 1, corners, WHIP_SEGMENTS), dangling=True)
+    steiner, of_corners = whip("steiner-triangulation", {0, 1, 2, 3}), whip("cdt", {0, 1, 2, 3, 4})
+    yield "sound--whip", steiner, "verified: steiner-triangulation, 5 points, 1 triangle; 2 dangling faces; domain: enclosed, 4 vertices, 4 segments"
+    yield "sound--whip--cdt", of_corners, "verified: cdt, 5 points, 1 triangle; 2 dangling faces; domain: enclosed, 5 vertices, 4 segments"
+    yield "vertices-of-domain--whip", dict(steiner, claim="cdt"), "rejected: vertices-of-domain, segment 4"
+    solid = {name: value for name, value in steiner.items() if name != "dangling"}
+    yield "role-shown--whip", solid, "rejected: role-shown, point 5"
+    yield "mark-consistent--whip--hull", dict(steiner, kind="hull"), "rejected: mark-consistent"
+    bare = copy.deepcopy(steiner)
+    bare["part"]["marks"][1][1] = ["-"] * 3
+    yield "segment-linked--whip--no-wall", bare, "rejected: segment-linked, segment"
+    crooked = copy.deepcopy(steiner)
+    crooked["part"]["marks"][2][1] = [[1, 1] if flag == "-" else flag for flag in crooked["part"]["marks"][2][1]]
+    yield "mark-consistent--whip--on-one-side", crooked, "rejected: mark-consistent, simplex 2, facet 0"
+    fin = dict(space_domain("steiner-triangulation", "enclosed", FIN, [(0, 1, 2, 3), (1, 2, 3, 4)], 1, FIN_TRIANGLES, FIN_SEGMENTS),
+               dangling=True)
+    yield "sound--fin", fin, \
+        "verified: steiner-triangulation, 5 points, 1 tetrahedron; 1 dangling face; domain: enclosed, 5 vertices, 8 segments, 5 polygons"
+    yield "polygon-tiled--fin--a-triangle-of-a-cdt", dict(fin, claim="steiner-cdt"), "rejected: polygon-tiled, polygon 5"
+    elsewhere = copy.deepcopy(fin)
+    elsewhere["polygons"][4]["tiles"] = elsewhere["polygons"][3]["tiles"]
+    yield "polygon-tiled--fin--elsewhere", elsewhere, "rejected: polygon-tiled, polygon 5"
+
+
 def domains(mutant, put, square_points, square_mesh):
     """Domains in the plane and in space, of which the mesh is right, and what may be wrong with it."""
     def notched(claim="steiner-triangulation", kind="enclosed"):
         return plane_domain(claim, kind, NOTCHED, NOTCHED_MESH + NOTCH_AND_HOLE, 9,
                             {0, 1, 2, 3, 4, 5, 6, 7}, NOTCHED_SEGMENTS, [(11, [8, 9], 2)])
+    yield from where_something_dangles()
     sound = notched()
     yield "sound--domain-in-the-plane", sound, \
         "verified: steiner-triangulation, 9 points, 9 triangles; domain: enclosed, 8 vertices, " \

@@ -136,7 +136,7 @@ TETRAHEDRON = [(0, 0, 0), (0, 3, 0), (3, 0, 0), (9, 9, 9)]
 AROUND = space_domain("steiner-triangulation", "enclosed", TETRAHEDRON, [(0, 1, 2, 3)], 1,
                       list(itertools.combinations(range(4), 3)), list(itertools.combinations(range(4), 2)))
 ONE_TRIANGLE = {"kind": "enclosed", "scale": "1 1", "vertices": TETRAHEDRON[:3], "segments": [(0, 1), (0, 2), (1, 2)], "holes": [],
-                "polygons": [triangle_polygon(AROUND["mesh"], TETRAHEDRON, (0, 1, 2), 1)], "mesh": [AROUND],
+                "polygons": [triangle_polygon(AROUND["mesh"], TETRAHEDRON, (0, 1, 2))], "mesh": [AROUND],
                 "candidates": [], "clauses": ["covers vertex 1"], "steps": ["0 1"]}
 
 

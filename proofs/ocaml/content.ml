@@ -158,6 +158,10 @@ let mesh_alone (c : Reading.context) space =
          (counted (Array.length cells) one several), 0) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
+let how_many_dangle faces = match List.length faces with
+  | 0 -> ""
+  | n -> counted n "dangling face" "dangling faces" ^ "; "
+
 (* Which kind a domain is, and how much it has of what. *)
 let described (c : domain_certificate) ~is_complex =
   let part = c.domain_part in
@@ -170,28 +174,57 @@ let described (c : domain_certificate) ~is_complex =
     (some (List.length c.polygons) "polygon" "polygons")
     (some (List.length part.holes) "hole" "holes")
 
-(* The mesh is that of the kept simplices. *)
-let domain (c : Reading.context) space claimed kind ~is_complex =
+(* Of the steps along segments and the pieces of polygons those that are faces of no other simplex. *)
+let faces_that_dangle (c : domain_certificate) simplices =
+  let rec steps u = function
+    | [] -> []
+    | link :: links -> [ u; link.reached ] :: steps link.reached links in
+  let pieces (f : polygon_entry) =
+    let above = Array.of_list f.above in
+    let named k = if k >= 1 && k <= Array.length above then Some above.(k - 1) else None in
+    let rec kept (simplices : simplex_entry list) (marks : mark list) = match simplices, marks with
+      | e :: simplices, mark :: marks ->
+        (if mark.kept then [ List.filter_map named e.corners ] else []) @ kept simplices marks
+      | _, _ -> [] in
+    kept f.plane_mesh.simplices f.plane_part.marks in
+  let module Faces = Users_mesh.Faces in
+  let sorted = List.map (List.sort_uniq compare) in
+  let pieces = Faces.of_list (sorted (List.concat_map pieces c.polygons)) in
+  let steps = Faces.of_list (sorted (List.concat_map (fun s -> steps s.from s.links) c.domain_part.segments)) in
+  let without = List.fold_left (fun left simplex ->
+      List.fold_left (fun left face -> Faces.remove face left) left
+        (Users_mesh.faces_of (List.sort_uniq compare simplex))) in
+  let pieces = without pieces simplices in
+  Faces.elements pieces @ Faces.elements (without (without steps simplices) (Faces.elements pieces))
+
+(* The mesh is that of the kept simplices, and of what dangles. *)
+let domain (c : Reading.context) space claimed kind ~is_complex ~dangles =
   let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex in
   let whole = certificate.whole_mesh and part = certificate.domain_part in
   let rec kept_of found simplices marks = match simplices, marks with
     | (e : simplex_entry) :: simplices, (mark : mark) :: marks ->
-      kept_of (if mark.kept then List.map Option.some e.corners :: found else found) simplices marks
+      kept_of (if mark.kept then e.corners :: found else found) simplices marks
     | _, _ -> List.rev found in
-  let simplices = kept_of [] whole.simplices part.marks in
+  let kept = kept_of [] whole.simplices part.marks in
+  let named = List.map (List.map Option.some) in
+  let simplices = named kept in
+  let dangling = lazy (if dangles then named (faces_that_dangle certificate kept) else []) in
   let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
                simplices = Users_mesh.listed simplices; dangling = Some [] } in
-  let checked () = match check_domain space certificate, complex with
+  let check = if dangles then check_dangling else check_domain in
+  let checked () = match check space certificate, complex with
     | Accepted, Some complex -> check_complex space certificate complex
     | result, _ -> result in
   let verdict () = match checked () with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
-      (Printf.sprintf "verified: %s, %s; %s" (domain_claim_name claimed)
-         (counts c.d (Users_mesh.users_points mesh) (List.length simplices)) (described certificate ~is_complex), 0) in
-  { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
+      (Printf.sprintf "verified: %s, %s; %s%s" (domain_claim_name claimed)
+         (counts c.d (Users_mesh.users_points mesh) (List.length simplices))
+         (how_many_dangle (Lazy.force dangling)) (described certificate ~is_complex), 0) in
+  { mesh = lazy { mesh with dangling = Some (Lazy.force dangling) };
+    compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 (* The points of a domain that is given without a mesh: its vertices. *)
 let vertices_of d (about : domain_certificate) =
@@ -238,10 +271,6 @@ let alone_refutation (c : Reading.context) space rule =
 
 (* The triangles and edges that may be faces of no simplex. *)
 let own_rows part = List.rev (List.rev_map fst part.dangling)
-let how_many_dangle part = match List.length part.dangling with
-  | 0 -> ""
-  | n -> counted n "dangling face" "dangling faces" ^ "; "
-
 let domain_refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read_domain c claimed rule in
   let about = refutation.mesh_refuted in
@@ -252,7 +281,7 @@ let domain_refutation (c : Reading.context) space claimed rule =
     let rule = domain_rule_name (domain_rule_of refutation) in
     if refute_domain space refutation then
       (Printf.sprintf "verified: not %s, %s; %sdomain: %s, %s" (domain_claim_name claimed) rule
-         (how_many_dangle refutation.dangling_refuted)
+         (how_many_dangle refutation.dangling_refuted.dangling)
          (counted (List.length refutation.vertices_given) "vertex" "vertices")
          (counted (List.length refutation.segments_given) "segment" "segments"), 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
@@ -268,12 +297,12 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
     let rule = domain_rule_name (whole_rule_of refutation) in
     if refute_whole space refutation then
       (Printf.sprintf "verified: not %s, %s; %s%s" (domain_claim_name claimed) rule
-         (how_many_dangle refutation.dangling_against) (described about ~is_complex:false), 0)
+         (how_many_dangle refutation.dangling_against.dangling) (described about ~is_complex:false), 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
 let read source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
@@ -296,10 +325,13 @@ let read source =
     certificate c space claimed (Some standing)
   | [ "circumspect-certificate"; "1"; claim; dimension; kind ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
-    domain c space claimed (List.assoc kind kinds) ~is_complex:false
+    domain c space claimed (List.assoc kind kinds) ~is_complex:false ~dangles:false
+  | [ "circumspect-certificate"; "1"; claim; dimension; kind; "dangling" ] when List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain c space claimed (List.assoc kind kinds) ~is_complex:false ~dangles:true
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
-    domain c space claimed (List.assoc kind kinds) ~is_complex:true
+    domain c space claimed (List.assoc kind kinds) ~is_complex:true ~dangles:false
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
     alone_refutation c space rule
