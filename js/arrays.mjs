@@ -23,6 +23,14 @@ function refuseDetached(array, what) {
   }
 }
 
+// A part that may be left out. What is no list would look like one that is empty.
+export function listOf(values, what) {
+  refuseDetached(values, what);
+  if (values === undefined || values === null) return [];
+  if (!isArray(values)) throw new TypeError(`expected ${what} as an array, found ${shown(values)}`);
+  return values;
+}
+
 // Rows of numbers, nested or flat; `columns`: of flat ones.
 function flat(values, what, columns) {
   refuseDetached(values, what);
@@ -40,12 +48,14 @@ function flat(values, what, columns) {
     }
     return { all: values, columns };
   }
+  for (const row of values) refuseDetached(row, what);
   const width = values[0].length;
   if (width === 0) throw new RangeError(`expected ${what} in rows of at least 1, found an empty row`);
   const all = [];
   for (let i = 0; i < values.length; ++i) {
-    if (!isArray(values[i]) || values[i].length !== width) {
-      throw new RangeError(`expected ${what} in rows of ${width}, found row ${i} of ${isArray(values[i]) ? values[i].length : shown(values[i])}`);
+    if (!isArray(values[i])) throw new TypeError(`expected ${what} in rows of ${width}, found ${shown(values[i])} as row ${i}`);
+    if (values[i].length !== width) {
+      throw new RangeError(`expected ${what} in rows of ${width}, found row ${i} of ${values[i].length}`);
     }
     for (let k = 0; k < width; ++k) all.push(values[i][k]);
   }
@@ -82,6 +92,12 @@ function exactText(value) {
 }
 
 const FITS = 2 ** 31;
+
+// The library takes 32 bits of a count: one beyond them would become another number.
+export function countOf(value, what) {
+  if (Number.isInteger(value) && value >= 0 && value < FITS) return value;
+  throw new RangeError(`expected ${what} as a whole number from 0 to ${FITS - 1}, found ${shown(value)}`);
+}
 
 // Indices of points, as 32-bit or, if one of them needs it, as 64-bit integers. What is no integer is refused; an integer that
 // names no point is a fault of the mesh, which the library reports.

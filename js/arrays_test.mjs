@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { indicesOf, numbersOf, partsOf, placesOf, simplicesOf } from './arrays.mjs';
+import { countOf, indicesOf, listOf, numbersOf, partsOf, placesOf, simplicesOf } from './arrays.mjs';
 import { oracle } from './oracle.mjs';
 
 test('doubles stay doubles, and beside texts they are texts of the same value', () => {
@@ -25,9 +25,16 @@ test('indices are 32 bits wide unless one needs 64', () => {
   assert.throws(() => placesOf([0, 2 ** 40], 'segments', 2), /^RangeError: .* found one beyond 32 bits$/);
 });
 
+test('a count beyond 32 bits does not become another number', () => {
+  assert.deepEqual([0, 5, 2 ** 31 - 1].map((value) => countOf(value, 'count')), [0, 5, 2 ** 31 - 1]);
+  for (const none of [2 ** 31, 2 ** 32 + 5, -1, 1.5, NaN, Infinity, '5', 5n, null]) {
+    assert.throws(() => countOf(none, 'count'), /^RangeError: expected count as a whole number from 0 to 2147483647, found /);
+  }
+});
+
 test('rows that differ, rows of nothing and arrays that are none are refused', () => {
   assert.throws(() => numbersOf([[1, 2], [3]], 'points'), /^RangeError: expected points in rows of 2, found row 1 of 1$/);
-  assert.throws(() => numbersOf([[1, 2], 3], 'points'), /^RangeError: expected points in rows of 2, found row 1 of 3$/);
+  assert.throws(() => numbersOf([[1, 2], 3], 'points'), /^TypeError: expected points in rows of 2, found 3 as row 1$/);
   assert.throws(() => numbersOf([[], []], 'points'), /^RangeError: expected points in rows of at least 1/);
   assert.throws(() => numbersOf([1, 2, 3], 'points', 2), /^RangeError: expected points in rows of 2, found 3 numbers$/);
   for (const columns of [0, -1, 1.5, '2', NaN]) assert.throws(() => numbersOf([1, 2, 3], 'points', columns), RangeError);
@@ -37,7 +44,11 @@ test('rows that differ, rows of nothing and arrays that are none are refused', (
   const gone = new Float64Array(4);
   structuredClone(gone.buffer, { transfer: [gone.buffer] });
   assert.throws(() => numbersOf(gone, 'points', 2), /^TypeError: expected points, found an array whose buffer was detached/);
+  for (const rows of [[gone, [0, 1]], [[0, 1], gone]]) assert.throws(() => numbersOf(rows, 'points'), /^TypeError: .* buffer was detached/);
   assert.equal(numbersOf(new Float64Array(0), 'points', 2).rows, 0);
+  assert.throws(() => listOf(gone, 'segments'), /^TypeError: expected segments, found an array whose buffer was detached/);
+  for (const none of [new Set([[0, 1]]), 7, { 0: [0, 1] }]) assert.throws(() => listOf(none, 'segments'), /^TypeError: expected segments as an array/);
+  assert.deepEqual([undefined, null, [], [[0, 1]]].map((value) => listOf(value, 'segments')), [[], [], [], [[0, 1]]]);
 });
 
 test('meshes of libraries are known by their names', () => {

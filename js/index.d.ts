@@ -47,7 +47,7 @@ export interface CheckOptions {
   oriented?: boolean;
   /** Judge by the definitions, slowly. */
   byDefinition?: boolean;
-  /** Witnesses that are kept; 0: all. Default: 20. */
+  /** Witnesses that are kept; 0 or Infinity: all. Default: 20. */
   maxViolations?: number;
   /** Take equal points for one; else they are an InputError. */
   duplicates?: 'merge';

@@ -1,5 +1,5 @@
 // The oracle for scripts: what the compiled library says, as values of JavaScript.
-import { indicesOf, isArray, numbersOf, partsOf, placesOf, simplicesOf } from './arrays.mjs';
+import { countOf, indicesOf, isArray, listOf, numbersOf, partsOf, placesOf, simplicesOf } from './arrays.mjs';
 import { Call } from './memory.mjs';
 
 // The input is at fault, not the mesh.
@@ -19,6 +19,7 @@ const OPTIONS = {
 };
 
 function refuseUnknown(options, known) {
+  if (!isOption(options)) throw new TypeError(`expected options as an object, found ${JSON.stringify(options)}`);
   for (const name of Object.keys(options)) {
     if (!known.includes(name)) throw new TypeError(`expected options among ${known.join(', ')}, found ${name}`);
   }
@@ -34,7 +35,7 @@ const isOption = (value) => value !== null && typeof value === 'object' && !isAr
 
 // (points, simplices, options), or (mesh, options).
 function meshAndOptions(first, second, third) {
-  if (isArray(first)) return [{ points: first, ...simplicesOf(second) }, third ?? {}];
+  if (isArray(first) || isArray(second)) return [{ points: first, ...simplicesOf(second) }, third ?? {}];
   return [partsOf(first), second ?? {}];
 }
 
@@ -125,20 +126,25 @@ export function oracle(instantiate) {
     if (kind < 0) throw new TypeError(`expected the kind ${KINDS.slice(1).join(', ')}, found ${asked.kind}`);
     const set = points(one, { points: asked.points }, { dimension: asked.dimension });
     const made = one.owned(library.domain_new(...set.arguments.slice(0, 4), kind, Number(Boolean(asked.mergeCoplanar))), 'domain_delete');
-    if (asked.segments?.length > 0) {
+    const part = (name) => listOf(asked[name], name);
+    if (part('segments').length > 0) {
       const indices = placesOf(asked.segments, 'segments', 2);
       library.domain_segments(made, indices.length / 2, one.ints(indices));
     }
-    if (asked.polygons?.length > 0) {
+    if (part('polygons').length > 0) {
       // A polygon is a list of corners, or of several such lists: its outline, holes, segments, vertices.
-      const lines = Array.from(asked.polygons, (polygon) => (typeof polygon[0] === 'number' ? [polygon] : Array.from(polygon)));
+      const lines = Array.from(asked.polygons, (given) => {
+        const polygon = listOf(given, 'a polygon');
+        return typeof polygon[0] === 'number' ? [polygon] : Array.from(polygon, (line) => listOf(line, 'a line of a polygon'));
+      });
       const all = lines.flat();
       const corners = placesOf(all.flatMap((line) => Array.from(line)), 'polygons', 1);
       library.domain_polygons(made, lines.length, one.ints(starts(lines)), all.length, one.ints(starts(all)), corners.length, one.ints(corners));
     }
-    if (asked.holes?.length > 0) library.domain_holes(made, ...seeds(one, asked.holes, 'holes', set.dimension));
-    if (asked.regions?.length > 0) library.domain_regions(made, ...seeds(one, asked.regions, 'regions', set.dimension));
-    const inPolygons = Object.entries(asked.polygonHoles ?? {}).flatMap(([polygon, places]) => places.map((place) => [Number(polygon), place]));
+    if (part('holes').length > 0) library.domain_holes(made, ...seeds(one, asked.holes, 'holes', set.dimension));
+    if (part('regions').length > 0) library.domain_regions(made, ...seeds(one, asked.regions, 'regions', set.dimension));
+    const inPolygons = Object.entries(asked.polygonHoles ?? {}).flatMap(([polygon, places]) =>
+      Array.from(listOf(places, 'polygonHoles'), (place) => [Number(polygon), place]));
     if (inPolygons.length > 0) {
       const [count, ...arrays] = seeds(one, inPolygons.map(([, place]) => place), 'polygonHoles', 3);
       library.domain_polygon_holes(made, count, one.ints(placesOf(inPolygons.map(([polygon]) => polygon), 'the keys of polygonHoles', 1)), ...arrays);
@@ -177,9 +183,11 @@ export function oracle(instantiate) {
       throw new RangeError(`expected a limit in seconds, above 0, found ${options.limit}`);
     }
     const required = [options.require ?? []].flat();
+    const maxViolations = options.maxViolations ?? 20;
+    const most = maxViolations === Infinity ? 0 : countOf(maxViolations, 'maxViolations');
     const judged = mesh(one, parts, options);
     const filled = options.domain === undefined ? 0 : domain(one, options.domain);
-    const verdict = result(one, 'check', one.text(options.claim), judged, filled, options.maxViolations ?? 20,
+    const verdict = result(one, 'check', one.text(options.claim), judged, filled, most,
       Number(Boolean(options.byDefinition)), Number(Boolean(options.oriented)), one.text(options.within), one.text(options.name),
       options.pictures ? 20 : 0, Number(options.duplicates === 'merge'), Number(Boolean(options.allowEmpty)),
       one.text([options.demands ?? []].flat().join(' ')), required.length, one.texts(required), one.text(options.exceptSharp),
@@ -237,9 +245,8 @@ export function oracle(instantiate) {
     generate: (family, options = {}) => call((one) => {
       refuseUnknown(options, OPTIONS.generate);
       const { dimension = 2, count = 20, seed = 0 } = options;
-      for (const [name, value] of Object.entries({ dimension, count, seed })) {
-        if (!Number.isSafeInteger(value) || value < 0) throw new RangeError(`expected ${name} as a whole number, found ${value}`);
-      }
+      for (const [name, value] of Object.entries({ dimension, count })) countOf(value, name);
+      if (!Number.isSafeInteger(seed) || seed < 0) throw new RangeError(`expected seed as a whole number, found ${seed}`);
       const drawing = one.owned(result(one, 'generate', one.text(family), dimension, count, seed), 'drawing_delete');
       const drawn = library.drawing_mesh(drawing);
       const rows = library.mesh_points(drawn);

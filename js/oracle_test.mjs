@@ -30,6 +30,8 @@ test('a mesh that fails: the rule, and exact values of the witness', () => {
   assert.deepEqual(violation.ball.centre, ['1/2', '1/2']);
   assert.equal(violation.ball.squared_radius.exact, '1/2');
   assert.match(verdict.text, /^fails: delaunay mine delaunay.facet-not-local 1 face 1 2 vertex 3$/m);
+  const all = oracle.check([[0, 0], [1, 0], [0, 1], [0.9, 0.9]], [[0, 1, 2], [1, 3, 2]], { maxViolations: Infinity });
+  assert.equal(all.violations.length, 1);
 });
 
 test('flat typed arrays, nested arrays and objects of libraries are one mesh', () => {
@@ -66,6 +68,9 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
   fails([square, halves, { domain: { points: square, segments: [[0, 2 ** 40]] } }], RangeError, /segments, found one beyond 32 bits/);
   fails([square, halves, { domain: { points: square, polygonHoles: { first: [[0, 0, 0]] } } }], RangeError, /keys of polygonHoles/);
   fails([square, halves, { clam: 'cdt' }], TypeError, /found clam/);
+  fails([square, halves, 'cdt'], TypeError, /expected options as an object, found "cdt"/);
+  fails([new Set(square), halves], TypeError, /expected points as an array, found \[object Set\]/);
+  fails([square, halves, { maxViolations: 2 ** 32 + 1 }], RangeError, /expected maxViolations as a whole number .* found 4294967297/);
   fails([square, halves, { claim: 'nonsense' }], TypeError, /expected a claim about a mesh/);
   fails([square, halves, { weights: [1] }], RangeError, /a weight for each of 4 points, found 1/);
   fails([[[null, 0], [1, 0]], [[0, 1]]], TypeError, /found null/);
@@ -73,6 +78,12 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
   structuredClone(gone.buffer, { transfer: [gone.buffer] });
   fails([gone, [0, 1, 2], { dimension: 2 }], TypeError, /expected points, found an array whose buffer was detached: transfer a copy/);
   fails([square, gone, { vertices: 3 }], TypeError, /expected simplices, found an array whose buffer was detached/);
+  // What is no list of segments is not a domain without segments.
+  for (const segments of [new Set([[0, 2]]), 7, gone]) {
+    fails([square, halves, { domain: { points: square, segments, kind: 'hull' } }], TypeError, /expected segments/);
+  }
+  fails([square, halves, { domain: { points: square, polygons: [gone] } }], TypeError, /expected a polygon, found an array whose buffer was detached/);
+  assert.throws(() => oracle.generate('uniform', { count: 2 ** 32 + 5 }), /^RangeError: expected count as a whole number .* found 4294967301$/);
 });
 
 test('an input at fault is an InputError; a fault of the mesh is a verdict', () => {
@@ -147,6 +158,12 @@ test('a worker answers as the module does, and says so when it is ended', async 
   assert.equal(await worker.orient([0, 0], [1, 0], [0, 1]), 1);
   await assert.rejects(worker.check([...square, [0, 0]], halves), oracle.InputError);
   await assert.rejects(worker.check(square, halves, { clam: 'cdt' }), TypeError);
+  const other = await startWorker();
+  const answered = other.version();
+  Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 200);  // the answer lies there, and nobody has read it
+  other.end();
+  await assert.rejects(answered, /worker was ended: end\(\) was called$/);
+  await new Promise((resolve) => { setTimeout(resolve, 50); });  // what it answered is heard now, and nobody waits for it
   const { points } = oracle.generate('uniform', { dimension: 3, count: 300, seed: 1 });
   const long = worker.check(points, oracle.delaunay(points, { dimension: 3 }).simplices, { dimension: 3, byDefinition: true });
   worker.end();

@@ -32,7 +32,9 @@ export async function startWorker() {
     waiting.clear();
   };
   const hears = ({ number, kind, answer, fault }) => {
-    const { resolve, reject } = waiting.get(number);
+    const question = waiting.get(number);
+    if (question === undefined) return;  // it was answered, but not heard before the end
+    const { resolve, reject } = question;
     waiting.delete(number);
     thread.keeps(waiting.size > 0);
     if (fault) reject(new (FAULTS[fault.name] ?? Error)(fault.message));

@@ -2,9 +2,9 @@
 # Are the recipes what their registries' tools read, and do they ask for what there is?
 #   packaging/recipes_test.sh
 #   packaging/recipes_test.sh --build ARCHIVE
-# Ruby and Nix look at theirs where they are installed. With --build, the functions of PKGBUILD
-# build and install from packed sources, and the Dockerfile's lines are carried out in a bare
-# Debian 13 with ARCHIVE, that of `make dist`.
+# Ruby, Nix and PyYAML look at theirs where they are installed. With --build, the functions of
+# PKGBUILD build and install from packed sources, and the Dockerfile's lines are carried out in a
+# bare Debian 13 with ARCHIVE, that of `make dist`.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
@@ -38,6 +38,10 @@ set(CURRENT_PACKAGES_DIR "$work/nowhere")
 include("$recipes/vcpkg/portfile.cmake")
 END
 quietly cmake -P "$work/portfile.cmake"
+if /usr/bin/python3 -c 'import yaml' 2>/dev/null; then
+  quietly /usr/bin/python3 -c 'import sys, yaml; assert yaml.safe_load(open(sys.argv[1]))["package"]["version"] == sys.argv[2]' \
+    "$recipes/conda/meta.yaml" "$version"
+fi
 if command -v ruby >/dev/null; then quietly ruby -c "$recipes/homebrew/circumspect.rb"; fi
 if command -v nix-instantiate >/dev/null; then quietly nix-instantiate --parse "$recipes/nix/default.nix"; fi
 # What they set and build, there is.

@@ -60,7 +60,7 @@ assert set(scripts) == {"circumspect", "circumspect-verified"}, scripts
 about = importlib.metadata.metadata("circumspect")
 relative = re.findall(r"\]\((?!https://)[^)]*\)", about.get_payload() or about["Description"])
 assert not relative, f"expected links that an index can follow, found {relative}"
-assert about["Requires-Python"] == ">=3.9" and len(about.get_all("Classifier")) > 8, about.items()
+assert about["Requires-Python"] == ">=3.11" and len(about.get_all("Classifier")) > 8, about.items()
 assert "circumspect.pytest_plugin" in {point.value for point in importlib.metadata.entry_points(group="pytest11")}
 print(circumspect.check(scipy.spatial.Delaunay(circumspect.generate("uniform", points=100))))
 PYTHON
