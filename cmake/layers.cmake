@@ -1,8 +1,9 @@
 # What a layer is to the build: a folder, a library made of it, and the tests that sit beside it.
 #
-#   circumspect_layer(NAME FOLDER [UNTIMED] [DEPENDS layer...] [LINKS library...] [TEST_DEPENDS
-#   layer...])
-#     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none)
+#   circumspect_layer(NAME FOLDER [UNTIMED] [IN room...] [DEPENDS layer...] [LINKS library...]
+#   [TEST_DEPENDS layer...])
+#     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none),
+#                                 and those of the rooms in it that are named
 #     test     NAME_test          FOLDER/*_test.cpp
 #     test     NAME_cgal_test     FOLDER/*_cgal_test.cpp, the only tests that see CGAL
 #
@@ -16,9 +17,11 @@
 # The sanitizers' build does not compile either.
 
 function(circumspect_layer name folder)
-  cmake_parse_arguments(ARG "UNTIMED" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNTIMED" "" "IN;DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
   set(directory "${PROJECT_SOURCE_DIR}/${folder}")
-  file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp")
+  set(rooms ${ARG_IN})
+  list(TRANSFORM rooms REPLACE ".+" "${directory}/\\0/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp" ${rooms})
   file(GLOB tests CONFIGURE_DEPENDS "${directory}/*_test.cpp")
   file(GLOB cgal_tests CONFIGURE_DEPENDS "${directory}/*_cgal_test.cpp")
   if(tests)
