@@ -1,8 +1,9 @@
 # What a layer is to the build: a folder, a library made of it, and the tests that sit beside it.
 #
-#   circumspect_layer(NAME FOLDER [UNTIMED] [LIGHT] [DEPENDS layer...] [LINKS library...]
-#                     [TEST_DEPENDS layer...])
-#     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none)
+#   circumspect_layer(NAME FOLDER [UNTIMED] [LIGHT] [IN room...] [DEPENDS layer...]
+#                     [LINKS library...] [TEST_DEPENDS layer...])
+#     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none),
+#                                 and those of the rooms in it that are named
 #     test     NAME_test          FOLDER/*_test.cpp
 #     test     NAME_cgal_test     FOLDER/*_cgal_test.cpp, the only tests that see CGAL
 #
@@ -25,9 +26,11 @@ if(CIRCUMSPECT_BUILD_TESTS AND CIRCUMSPECT_TEST_LAUNCHER AND CIRCUMSPECT_MOLD AN
 endif()
 
 function(circumspect_layer name folder)
-  cmake_parse_arguments(ARG "UNTIMED;LIGHT" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNTIMED;LIGHT" "" "IN;DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
   set(directory "${PROJECT_SOURCE_DIR}/${folder}")
-  file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp")
+  set(rooms ${ARG_IN})
+  list(TRANSFORM rooms REPLACE ".+" "${directory}/\\0/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp" ${rooms})
   file(GLOB tests CONFIGURE_DEPENDS "${directory}/*_test.cpp")
   file(GLOB cgal_tests CONFIGURE_DEPENDS "${directory}/*_cgal_test.cpp")
   if(tests)

@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
-#include <unistd.h>
 #include <zlib.h>
 
 #include "command/options/domain_options.hpp"
@@ -24,10 +23,12 @@
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "kernel/exact/number.hpp"
-#include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/formats/bytes/zstd.hpp"
 #include "oracle/formats/lzma.hpp"
 #include "oracle/model/printable.hpp"
+#include "platform/files.hpp"
+#include "platform/new_file.hpp"
+#include "platform/terminal.hpp"
 #include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
@@ -167,10 +168,10 @@ ExitCode run(int argc, char** argv) {
 // Called where memory is exhausted: asks for none.
 [[noreturn]] void end_without_memory() {
   constexpr std::string_view kText = "circumspect: out of memory\n";
-  const ssize_t ignored = write(STDERR_FILENO, kText.data(), kText.size());
-  static_cast<void>(ignored);
-  circumspect::formats::remove_unfinished_files();
-  _exit(static_cast<int>(ExitCode::kInternalError));
+  circumspect::platform::write_some(circumspect::platform::kStandardError, kText.data(),
+                                    kText.size());
+  circumspect::platform::remove_unfinished_files();
+  std::_Exit(static_cast<int>(ExitCode::kInternalError));
 }
 
 std::terminate_handler usual_end = nullptr;
@@ -192,8 +193,8 @@ std::terminate_handler usual_end = nullptr;
 }  // namespace
 
 int circumspect::cli::command_line(int argc, char** argv) {
-  circumspect::cli::keep_standard_files_apart();
-  circumspect::formats::let_writing_fail_at_file_limits();
+  circumspect::platform::prepare_standard_files();
+  circumspect::platform::let_writing_fail_at_file_limits();
   circumspect::end_where_numbers_exhaust_memory(end_without_memory);
   usual_end = std::set_terminate(end_where_nobody_catches);
   try {
@@ -209,4 +210,7 @@ int circumspect::cli::command_line(int argc, char** argv) {
   return static_cast<int>(ExitCode::kInternalError);
 }
 
-int main(int argc, char** argv) { return circumspect::cli::command_line(argc, argv); }
+int main(int argc, char** argv) {
+  argv = circumspect::platform::arguments(argc, argv);
+  return circumspect::cli::command_line(argc, argv);
+}

@@ -29,9 +29,9 @@ Point cube_point(std::size_t dimension, std::size_t code) {
   const std::size_t corners = std::size_t{1} << dimension;
   Point point(dimension, Rational(1));
   if (code < corners) {
-    for (std::size_t i = 0; i < dimension; ++i) point[i] = 2 * ((code >> i) % 2);
+    for (std::size_t i = 0; i < dimension; ++i) point[i] = to_integer(2 * ((code >> i) % 2));
   } else if (code < corners + 2 * dimension) {
-    point[(code - corners) / 2] = 2 * ((code - corners) % 2);
+    point[(code - corners) / 2] = to_integer(2 * ((code - corners) % 2));
   }
   return point;
 }

@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([\w./]+/[\w.]+)[">]', re.MULTILINE)
 # What the tests of the command, of the corpus, of the pages and of Python see, beside the folders below.
 DATA = ("corpus/", "docs/", "README.md", "tidy/", "c/", "python/", "include/", "examples/")
-SHIPPED = ("kernel/", "reference/", "construct/", "inputs/", "oracle/", "fuzz/campaign/", "fuzz/process/", "command/")
+SHIPPED = ("platform/", "kernel/", "reference/", "construct/", "inputs/", "oracle/", "fuzz/campaign/", "fuzz/process/", "command/")
 # How long the distant tests may take on each processor. Compiling and linking takes about thirty seconds before that.
 FAR_SECONDS = 12
 NEAR, FAR = "near", "far"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,6 +16,7 @@
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/mesh.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -72,20 +72,13 @@ formats::PointRows point_rows(const Numbers& numbers) {
   return points;
 }
 
-bool is_there_and_no_file(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::file_status there = std::filesystem::status(path, error);
-  return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
-         !std::filesystem::is_directory(there);
-}
-
 }  // namespace
 
 std::string output_name_fault(const std::string& path,
                               const std::vector<std::string_view>& extensions) {
   const std::string end = formats::extension(path);
   if (path == "-" || std::find(extensions.begin(), extensions.end(), end) != extensions.end() ||
-      is_there_and_no_file(path)) {
+      is_device_or_pipe(path)) {
     return "";
   }
   std::string names;
@@ -130,11 +123,12 @@ formats::PointFile point_file(const Mesh& mesh, const std::vector<Duplicate>& me
 }
 
 std::string points_beside(const std::string& path, const std::string& input) {
-  if (formats::extension(path) != ".ele" || is_there_and_no_file(path)) return "";
+  if (formats::extension(path) != ".ele" || is_device_or_pipe(path)) return "";
   std::string beside = path.substr(0, path.size() - std::string_view(".ele").size()) + ".node";
-  std::error_code error;
-  const bool is_input = std::filesystem::equivalent(beside, input, error);
-  return is_input && !error ? "" : beside;
+  const auto there = platform::status_of(beside), read = platform::status_of(input);
+  const bool is_input =
+      there && read && there->device == read->device && there->number == read->number;
+  return is_input ? "" : beside;
 }
 
 formats::NeighborFile neighbor_file(const Mesh& mesh) {

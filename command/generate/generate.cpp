@@ -21,6 +21,7 @@
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -104,7 +105,7 @@ tl::expected<Draw, std::string> draw(const GenerateOptions& options) {
                                                  static_cast<std::int64_t>(*options.dimension)));
 }
 
-bool is_json(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
+bool is_json(const std::string& path) { return path.ends_with(".json"); }
 
 // To stdout alone.
 ExitCode print(const Draw& draw, const GenerateOptions& options) {
@@ -128,18 +129,19 @@ ExitCode print(const Draw& draw, const GenerateOptions& options) {
 
 // To files: one, or one a seed in a folder.
 void write(const Draw& draw, const GenerateOptions& options, Output& output) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const bool in_folder = options.count > 1 || fs::is_directory(options.output_file, error);
-  if (in_folder) fs::create_directories(options.output_file, error);
+  std::string folder;
+  if (options.count > 1 || formats::is_folder(options.output_file)) {
+    std::error_code error;
+    std::filesystem::create_directories(platform::path_of(options.output_file), error);
+    folder = options.output_file;
+    if (platform::kSeparators.find(folder.back()) == std::string::npos) folder += '/';
+  }
   for (std::size_t i = 0; i < options.count; ++i) {
     const std::uint64_t seed = options.seed + i;
     const Generated input = draw(seed);
-    const std::string path = in_folder
-                                 ? (fs::path(options.output_file) /
-                                    fmt::format("{}-{}{}", options.family, seed, input.extension))
-                                       .string()
-                                 : options.output_file;
+    const std::string path =
+        folder.empty() ? options.output_file
+                       : fmt::format("{}{}-{}{}", folder, options.family, seed, input.extension);
     const bool json = is_json(path) && input.write_json;
     const std::string failure = write_file(path, json ? input.write_json : input.write);
     if (!failure.empty()) {

@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
+#include "platform/files.hpp"
+#include "platform/terminal.hpp"
 
 namespace circumspect::cli {
 
@@ -84,8 +84,7 @@ std::size_t width() {
     const std::string_view text = columns;
     std::from_chars(text.data(), text.data() + text.size(), count);
   }
-  winsize size{};
-  if (count == 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) count = size.ws_col;
+  if (count == 0) count = platform::terminal_width(platform::kStandardOutput);
   return count == 0 ? kUsual : count;
 }
 

@@ -1,65 +1,29 @@
 #include "command/output/long_work.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <system_error>
+#include <cstdlib>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <signal.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "oracle/model/printable.hpp"
+#include "platform/files.hpp"
+#include "platform/terminal.hpp"
 
 namespace circumspect::cli {
 namespace {
 
 constexpr double kLong = 2;         // seconds that nobody need hear of
 constexpr int kBetweenLooks = 200;  // milliseconds
-constexpr int kSignals[] = {SIGINT, SIGTERM};
-
-std::atomic<int> received = 0;
-std::atomic<int> wake_up = -1;  // the end of a pipe that the thread listens to
-static_assert(std::atomic<int>::is_always_lock_free);
-
-void wake() {
-  const int pipe = wake_up;
-  // If the pipe is full the thread is awake.
-  if (pipe >= 0 && ::write(pipe, "", 1) < 0) return;
-}
-
-// Only what may be called in a handler.
-void receive(int number) {
-  const int before = errno;
-  received = number;
-  wake();
-  errno = before;
-}
-
-void set_meaning(bool ours) {
-  for (const int number : kSignals) {
-    struct sigaction present {};
-    if (sigaction(number, nullptr, &present) != 0) continue;
-    // Who ignores a signal, or does something else about it, is not in our way.
-    if (ours ? present.sa_handler != SIG_DFL : present.sa_handler != receive) continue;
-    struct sigaction action {};
-    action.sa_handler = ours ? receive : SIG_DFL;
-    action.sa_flags = ours ? static_cast<int>(SA_RESETHAND | SA_RESTART) : 0;
-    sigaction(number, &action, nullptr);
-  }
-}
-
 double since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::size_t width_of_terminal() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  constexpr std::size_t kUsual = 80;
+  const std::size_t width = platform::terminal_width(platform::kStandardError);
+  return width > 0 ? width : kUsual;
 }
 
 }  // namespace
@@ -76,35 +40,15 @@ LongWork::LongWork(std::string command, std::optional<double> seconds, bool show
                    std::function<int(const std::string& why)> last_words)
     : command_(std::move(command)),
       seconds_(seconds),
-      shows_(shows && isatty(STDERR_FILENO) != 0),
+      shows_(shows && platform::is_terminal(platform::kStandardError)),
       last_words_(std::move(last_words)) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return;
-  received = 0;
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);  // signals go to other threads
-  try {
-    thread_ = std::thread([this, listening = ends[0]] { look_on(listening); });
-  } catch (const std::system_error&) {
-    close(ends[0]);
-    close(ends[1]);
-  }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  if (!thread_.joinable()) return;
-  listening_ = ends[0];
-  wake_up = ends[1];
-  set_meaning(true);
+  interruptions_.start([this] { look_on(); });
 }
 
 LongWork::~LongWork() {
-  if (!thread_.joinable()) return;
+  if (!interruptions_.is_running()) return;
   is_over_ = true;
-  set_meaning(false);
-  // The end of the pipe wakes the thread, as a byte in it would; only it cannot fail to.
-  close(wake_up.exchange(-1));
-  thread_.join();
-  close(listening_);
+  interruptions_.end();
   clear();
 }
 
@@ -130,17 +74,16 @@ void LongWork::clear() {
   is_shown_ = false;
 }
 
-void LongWork::look_on(int listening) {
+void LongWork::look_on() {
   while (!is_over_) {
     int wait = shows_ ? kBetweenLooks : -1;
     if (seconds_) {
       const double left = std::ceil(std::max(0.0, *seconds_ - since(start_)) * 1000);
       if (wait < 0 || left < wait) wait = static_cast<int>(std::min(left, 1e9));
     }
-    pollfd awaited = {listening, POLLIN, 0};
-    ::poll(&awaited, 1, wait);
+    interruptions_.wait(wait);
     if (is_over_) return;
-    if (received != 0) end_with("interrupted");
+    if (interruptions_.is_interrupted()) end_with("interrupted");
     if (seconds_ && since(start_) >= *seconds_) end_with("stopped by --limit");
     if (shows_ && since(start_) >= kLong) show();
   }
@@ -181,7 +124,7 @@ void LongWork::end_with(const std::string& cause) {
     const std::lock_guard lock(mutex_);
     if (!what_.empty()) why += ", while " + what_ + so_far();
   }
-  _exit(last_words_(why));
+  std::_Exit(last_words_(why));
 }
 
 }  // namespace circumspect::cli

@@ -7,9 +7,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "kernel/exact/progress.hpp"
+#include "platform/interruption_watch.hpp"
 
 namespace circumspect::cli {
 
@@ -43,7 +43,7 @@ class LongWork {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void look_on(int listening);
+  void look_on();
   void show();
   void end_with(const std::string& cause);
   std::string so_far() const;
@@ -63,8 +63,7 @@ class LongWork {
   std::atomic<const char*> counted_ = nullptr;
   std::atomic<std::size_t> done_ = 0, of_ = 0;
   std::atomic<bool> is_over_ = false;
-  int listening_ = -1;  // the end of the pipe that the thread reads
-  std::thread thread_;
+  platform::InterruptionWatch interruptions_;
 };
 
 // "3 min", "12 s": how long something takes, about.

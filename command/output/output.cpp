@@ -5,22 +5,21 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "command/options/one_of.hpp"
 #include "command/options/quantity.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/ci_reports.hpp"
+#include "platform/files.hpp"
+#include "platform/terminal.hpp"
 
 namespace circumspect::cli {
 
@@ -170,9 +169,8 @@ int Output::last_words(const std::string& why) {
 bool Output::wants_colour() const {
   if (options_.colour != Colour::kAuto) return options_.colour == Colour::kAlways;
   const char* const no_colour = std::getenv("NO_COLOR");
-  const char* const terminal = std::getenv("TERM");
-  return isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0') &&
-         terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+  return (no_colour == nullptr || *no_colour == '\0') &&
+         platform::shows_colours(platform::kStandardOutput);
 }
 
 void Output::text(const std::string& text) const {
@@ -245,18 +243,15 @@ ExitCode when_written(ExitCode code) {
   return ExitCode::kInternalError;
 }
 
-void keep_standard_files_apart() {
-  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(file, F_GETFD) >= 0 || errno != EBADF) continue;
-    // Opened the wrong way round, so that reading from it or writing to it still fails.
-    const int opened = open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-    if (opened >= 0 && opened != file) close(opened);
-  }
-}
-
 ExitCode usage_error(const std::string& message) {
   say("circumspect: " + on_one_line(message) + "\n");
   return ExitCode::kUsage;
+}
+
+bool is_device_or_pipe(const std::string& path) {
+  const auto there = platform::status_of(path);
+  return there &&
+         (there->kind == platform::FileKind::kDevice || there->kind == platform::FileKind::kPipe);
 }
 
 std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
@@ -269,13 +264,9 @@ std::string write_file(const std::string& path, const std::function<void(std::os
   const auto failure = [&path](const std::string& reason) {
     return path + ": expected a place that can be written to, found: " + reason;
   };
-  std::error_code error;
-  const std::filesystem::file_status there = std::filesystem::status(path, error);
-  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
-      !std::filesystem::is_directory(there)) {
-    // A device or a pipe must not be replaced by a file.
+  if (is_device_or_pipe(path)) {
     errno = 0;
-    std::ofstream stream(path, std::ios::binary);
+    std::ofstream stream(platform::path_of(path), std::ios::binary);
     if (stream) write(stream);
     stream.close();
     return stream ? "" : failure(errno == 0 ? "an error" : std::strerror(errno));

@@ -121,9 +121,8 @@ void say(const std::string& text);
 // how.
 ExitCode when_written(ExitCode code);
 
-// A command may be started without one of the three standard files: then the first that it opens
-// would be taken for it. Called before anything is opened.
-void keep_standard_files_apart();
+// Is there something else than a file, or a folder, which must not be replaced by a file?
+bool is_device_or_pipe(const std::string& path);
 
 // Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message,
 // or an empty string (about stdout always: when_written says it).

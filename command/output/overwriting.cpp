@@ -1,15 +1,15 @@
 #include "command/output/overwriting.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "oracle/formats/mesh_files.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -29,18 +29,17 @@ std::vector<std::string> with_extensions(const std::string& path,
 }
 
 struct Identity {
-  dev_t device;
-  ino_t number;
+  std::uint64_t device;
+  std::uint64_t number;
 
   bool operator==(const Identity&) const = default;
 };
 
 // Of a file that is there, or of the one that stands for "-"; none of a pipe, a device or a folder.
 std::optional<Identity> identity(const std::string& path, int stream) {
-  struct stat status = {};
-  const int failure = path == "-" ? fstat(stream, &status) : stat(path.c_str(), &status);
-  if (failure != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return Identity{status.st_dev, status.st_ino};
+  const auto status = path == "-" ? platform::status_of(stream) : platform::status_of(path);
+  if (!status || status->kind != platform::FileKind::kRegular) return std::nullopt;
+  return Identity{status->device, status->number};
 }
 
 // Would the two be one file, one of which may not be there yet?
@@ -50,11 +49,11 @@ bool are_one_place(const std::string& a, const std::string& b) {
     return formats::exists(path) && !formats::is_regular(path);
   };
   if (is_no_file(a) || is_no_file(b)) return false;
-  const auto identity_of_a = identity(a, STDOUT_FILENO);
-  if (identity_of_a) return identity_of_a == identity(b, STDOUT_FILENO);
+  const auto identity_of_a = identity(a, platform::kStandardOutput);
+  if (identity_of_a) return identity_of_a == identity(b, platform::kStandardOutput);
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(a), error);
-  return !error && place == fs::weakly_canonical(fs::absolute(b), error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(platform::path_of(a)), error);
+  return !error && place == fs::weakly_canonical(fs::absolute(platform::path_of(b)), error);
 }
 
 // "found x.node, which is read", or by which other name it is.
@@ -82,9 +81,10 @@ std::string overwriting_fault(const std::vector<Written>& written,
                               const std::vector<std::string>& read) {
   for (std::size_t i = 0; i < written.size(); ++i) {
     const Written& file = written[i];
-    const auto written_to = identity(file.path, STDOUT_FILENO);
+    const auto written_to = identity(file.path, platform::kStandardOutput);
     for (const std::string& source : read) {
-      if (written_to && identity(source, STDIN_FILENO) == written_to) return clash(file, source);
+      if (written_to && identity(source, platform::kStandardInput) == written_to)
+        return clash(file, source);
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!are_one_place(written[j].path, file.path)) continue;
@@ -97,8 +97,8 @@ std::string overwriting_fault(const std::vector<Written>& written,
 
 bool lies_in(const std::string& path, const std::string& folder) {
   std::error_code error;
-  fs::path place = fs::weakly_canonical(fs::absolute(path), error);
-  const fs::path above = fs::weakly_canonical(fs::absolute(folder), error);
+  fs::path place = fs::weakly_canonical(fs::absolute(platform::path_of(path)), error);
+  const fs::path above = fs::weakly_canonical(fs::absolute(platform::path_of(folder)), error);
   while (!error && place.has_relative_path()) {
     place = place.parent_path();
     if (place == above) return true;

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace std {
 namespace {
@@ -104,8 +103,3 @@ from_chars_result from_chars(const char* first, const char* last, double& value)
 }
 
 }  // namespace std
-
-// Its C library has the older function of the two.
-extern "C" ssize_t getrandom(void* to, size_t size, unsigned) {
-  return getentropy(to, size) == 0 ? static_cast<ssize_t>(size) : -1;
-}

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -12,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "kernel/exact/int64.hpp"
 #include "kernel/exact/number_text.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -54,6 +56,17 @@ TEST_CASE("decimals at their word") {
   CHECK(value("0e1000", kDecimal) == 0);
 }
 
+TEST_CASE("integers of 64 bits and no others are converted back") {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t value : {std::int64_t{0}, std::int64_t{-1}, kMost, -kMost, -kMost - 1,
+                                   std::int64_t{1} << 32U, -(std::int64_t{1} << 31U) - 1}) {
+    CHECK(to_int64(to_integer(value)) == value);
+  }
+  CHECK(!to_int64(to_integer(kMost) + 1));
+  CHECK(!to_int64(-to_integer(kMost) - 2));
+  CHECK(!to_int64(Integer(1) << 64U));
+}
+
 TEST_CASE("decimals as doubles") {
   CHECK(value("0.1", kDouble) == exact_value(0.1));
   CHECK(value("0.1", kDouble) != Rational(1, 10));
@@ -61,6 +74,11 @@ TEST_CASE("decimals as doubles") {
   CHECK(value("4.9e-324", kDouble) == exact_value(std::strtod("4.9e-324", nullptr)));
   CHECK(value("2.2250738585072011e-308", kDouble) == exact_value(2.2250738585072011e-308));
   CHECK(value("1e-400", kDouble) == 0);
+  CHECK(value("-1e-99999999999999999999", kDouble) == 0);
+  CHECK(value("0." + std::string(400, '0') + "1e50", kDouble) == 0);
+  CHECK(value("0." + std::string(400, '0') + "1e410", kDouble) == exact_value(1e9));
+  CHECK(!read_number("+" + std::string(310, '9'), kDouble));
+  CHECK(!read_number("0.001e99999999999999999999", kDouble));
   CHECK(value("1.7976931348623157e308", kDouble) == exact_value(1.7976931348623157e308));
 }
 

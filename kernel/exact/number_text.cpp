@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <gmp.h>
-#include <locale.h>
 #include <mpfr.h>
 
 #include "kernel/exact/float.hpp"
@@ -25,7 +25,7 @@ struct Scan {
   bool hexadecimal = false;
   std::string digits;
   long fraction_digits = 0;
-  long exponent = 0;
+  long exponent = 0;  // one of half its range if it is out of range
   bool exponent_out_of_range = false;
 };
 
@@ -58,6 +58,7 @@ bool take_exponent(std::string_view& rest, Scan& scan) {
   const auto [end, error] =
       std::from_chars(digits.data(), digits.data() + digits.size(), scan.exponent);
   scan.exponent_out_of_range = error != std::errc();
+  if (scan.exponent_out_of_range) scan.exponent = std::numeric_limits<long>::max() / 2;
   if (negative) scan.exponent = -scan.exponent;
   return true;
 }
@@ -107,10 +108,17 @@ Result exact_from_scan(const Scan& scan) {
   return value;
 }
 
-// strtod whatever the locale of the program that links us.
-double strtod_in_c_locale(const std::string& token) {
-  static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
-  return strtod_l(token.c_str(), nullptr, c_locale);
+// What strtod gives, whatever the locale of the program that links us, and however the system's C
+// library rounds. Requires: scan is that of a decimal token.
+double nearest_double(std::string_view token, const Scan& scan) {
+  if (token.front() == '+') token.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (error != std::errc::result_out_of_range) return value;
+  // It is far from one, on one side or the other: how many places before the point does it begin?
+  const std::size_t zeros = scan.digits.find_first_not_of('0');
+  const long places = static_cast<long>(scan.digits.size() - zeros) - scan.fraction_digits;
+  return places + scan.exponent > 0 ? std::numeric_limits<double>::infinity() : 0;
 }
 
 Result read_fraction(std::string_view token, std::size_t slash) {
@@ -139,7 +147,7 @@ Result read_number(std::string_view token, NumberReading reading) {
   Scan scan;
   if (!scan_number(token, scan)) return tl::unexpected(NumberError{"a finite number"});
   if (reading == NumberReading::kDecimal || scan.hexadecimal) return exact_from_scan(scan);
-  const double value = strtod_in_c_locale(std::string(token));
+  const double value = nearest_double(token, scan);
   if (!std::isfinite(value)) {
     return tl::unexpected(
         NumberError{"a number within the range of double (--coordinates decimal reads more)"});

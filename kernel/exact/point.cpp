@@ -63,7 +63,7 @@ Point barycentre(const std::vector<Point>& points) {
   assert(!points.empty());
   Point sum = points.front();
   for (std::size_t i = 1; i < points.size(); ++i) sum = sum + points[i];
-  return Rational(1, static_cast<unsigned long>(points.size())) * sum;
+  return Rational(1, to_integer(points.size())) * sum;
 }
 
 namespace {

@@ -89,14 +89,14 @@ class Finder {
           [&](const Simplex& simplex) { return contains(simplex, witness.vertices.front()); });
       if (!edge || segment == complex_.segments.end() || around == mesh_.simplices.end()) continue;
       const auto place = [](const Simplex& simplex, Vertex v) {
-        return Integer(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
+        return to_integer(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
       };
       const Simplex& listed = mesh_.simplices[*edge - 1];
-      return Evidence{
-          Rule::kVertexInEdge,
-          {Integer(around - mesh_.simplices.begin()) + 1, place(*around, witness.vertices.front()),
-           Integer(*edge), place(listed, witness.face->front()),
-           place(listed, witness.face->back()), Integer(segment - complex_.segments.begin()) + 1}};
+      return Evidence{Rule::kVertexInEdge,
+                      {to_integer(around - mesh_.simplices.begin()) + 1,
+                       place(*around, witness.vertices.front()), to_integer(*edge),
+                       place(listed, witness.face->front()), place(listed, witness.face->back()),
+                       to_integer(segment - complex_.segments.begin()) + 1}};
     }
     return std::nullopt;
   }

@@ -11,8 +11,8 @@ namespace circumspect::certificate {
 
 namespace {
 
-Integer number(std::size_t index) { return Integer(static_cast<unsigned long>(index)) + 1; }
-Integer position(std::size_t index) { return static_cast<unsigned long>(index); }
+Integer number(std::size_t index) { return to_integer(index) + 1; }
+Integer position(std::size_t index) { return to_integer(index); }
 
 // The entry that names no point.
 std::optional<std::size_t> unknown_entry(const ExactMesh& mesh, const Simplex& simplex) {
@@ -113,7 +113,7 @@ std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoin
         std::find_if(mesh.simplices.begin(), mesh.simplices.end(),
                      [&](const Simplex& simplex) { return has_face(simplex, face); });
     if (found == mesh.simplices.end()) return std::nullopt;
-    evidence.because.emplace_back(static_cast<unsigned long>(found - mesh.simplices.begin() + 1));
+    evidence.because.emplace_back(to_integer(found - mesh.simplices.begin() + 1));
   }
   const HomogeneousPoint common = scaled(points, *witness.point);
   evidence.because.insert(evidence.because.end(), common.numerators.begin(),
@@ -133,8 +133,8 @@ void append_facet(std::vector<Integer>& because, const ExactMesh& mesh, const Si
   assert(found != mesh.simplices.end());
   const auto off =
       std::find_if(found->begin(), found->end(), [&](Vertex v) { return !contains(facet, v); });
-  because.emplace_back(static_cast<unsigned long>(found - mesh.simplices.begin()) + 1);
-  because.emplace_back(static_cast<unsigned long>(off - found->begin()));
+  because.emplace_back(to_integer(found - mesh.simplices.begin()) + 1);
+  because.emplace_back(to_integer(off - found->begin()));
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const Sc
   for (const Simplex& simplex : mesh.simplices) {
     const auto place = sidedness.separating_place(simplex, sidedness.orientation(simplex), q);
     if (!place) return std::nullopt;
-    evidence.because.emplace_back(static_cast<unsigned long>(*place));
+    evidence.because.emplace_back(to_integer(*place));
   }
   return evidence;
 }
@@ -203,8 +203,8 @@ Entry entry_of(const ExactMesh& mesh, Vertex v) {
 }
 
 void append(std::vector<Integer>& because, const Entry& entry) {
-  because.emplace_back(static_cast<unsigned long>(entry.simplex + 1));
-  because.emplace_back(static_cast<unsigned long>(entry.place));
+  because.emplace_back(to_integer(entry.simplex + 1));
+  because.emplace_back(to_integer(entry.place));
 }
 
 }  // namespace
@@ -234,7 +234,7 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
   } else {
     const auto number = number_of(mesh, simplex);
     if (!number) return std::nullopt;
-    evidence.because.emplace_back(static_cast<unsigned long>(*number));
+    evidence.because.emplace_back(to_integer(*number));
     evidence.because.emplace_back(to_integer(q) + 1);
   }
   return evidence;

@@ -126,7 +126,7 @@ ScaledPoints in_scale_of(const ScaledPoints& points, const PointSet& those) {
 
 HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices) {
   HomogeneousPoint sum{std::vector<Integer>(points.dimension, Integer(0)),
-                       Integer(static_cast<unsigned long>(vertices.size()))};
+                       to_integer(vertices.size())};
   for (const Vertex v : vertices) {
     for (std::size_t axis = 0; axis < points.dimension; ++axis) {
       sum.numerators[axis] += points.coordinate(v, axis);

@@ -15,6 +15,7 @@
 #include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/bytes/text_lines.hpp"
 #include "oracle/formats/node_tags.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -105,9 +106,10 @@ class Fields {
   // no such file in the folder of the first or below it, or if too many have been included.
   bool include(const std::string& path) {
     constexpr std::size_t kMostFiles = 100;
-    const bool is_below = !path.empty() && path[0] != '/' && path.find("..") == std::string::npos;
+    const bool is_below =
+        !path.empty() && platform::is_relative(path) && path.find("..") == std::string::npos;
     const std::string& first = files_.front().file();
-    const std::string whole = first.substr(0, first.rfind('/') + 1) + path;
+    const std::string whole = first.substr(0, first.find_last_of(platform::kSeparators) + 1) + path;
     if (!is_below || included_.size() >= kMostFiles || !is_regular(whole)) return false;
     Result<Source> source = load_unpacked(whole);
     if (!source) return false;

@@ -16,6 +16,7 @@
 #include "oracle/formats/poly_mesh.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::formats {
 
@@ -206,7 +207,7 @@ bool is_of_domain_dimension(const MeshRequest& request, const Mesh& mesh) {
 }
 
 std::string extension(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
+  const std::size_t slash = path.find_last_of(platform::kSeparators);
   const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
   const std::size_t dot = path.rfind('.');
   // A dot at the beginning of a name marks a hidden file, and does not begin an extension.

@@ -7,6 +7,7 @@
 
 #include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/foam_file.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -202,7 +203,7 @@ Result<ElementFile> PolyMeshReader::read() {
 std::optional<std::string> poly_mesh_folder(const std::string& path) {
   std::string folder = path;
   if (path.ends_with(".foam")) {
-    const std::size_t slash = path.rfind('/');
+    const std::size_t slash = path.find_last_of(platform::kSeparators);
     folder = slash == std::string::npos ? "." : path.substr(0, slash);
   }
   for (const char* const below : {"", "/polyMesh", "/constant/polyMesh"}) {

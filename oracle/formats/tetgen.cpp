@@ -1,5 +1,6 @@
 #include "oracle/formats/tetgen.hpp"
 
+#include "kernel/exact/int64.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -128,8 +129,9 @@ Status read_attributes(const Lines& lines, std::size_t first, std::size_t count,
   if (!attributes) return tl::unexpected(attributes.error());
   if (count == 0 || file.labels.size() < file.simplices.size()) return {};
   const Rational& label = attributes->front();
-  if (label.get_den() == 1 && label.get_num().fits_slong_p()) {
-    file.labels.push_back(label.get_num().get_si());
+  const auto integer = label.get_den() == 1 ? to_int64(label.get_num()) : std::nullopt;
+  if (integer) {
+    file.labels.push_back(*integer);
   } else {
     file.labels.clear();
   }

@@ -66,7 +66,7 @@ Integer most_flips(std::size_t n, std::size_t d) {
   Integer binomial = 1;
   Integer sum = 0;
   for (std::size_t i = 1; i <= 1 + d / 2 && i <= n; ++i) {
-    binomial = binomial * Integer(n - i + 1) / Integer(i);
+    binomial = binomial * to_integer(n - i + 1) / to_integer(i);
     sum += binomial;
   }
   return 2 * sum;

@@ -1,48 +1,20 @@
 #include "reference/existence/solver.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
 #include <cadical.hpp>
 
+#include "platform/scratch_file.hpp"
 #include "reference/existence/formula.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::existence {
-namespace {
-
-// A file in memory to which the solver writes its proof.
-class ProofFile {
- public:
-  ProofFile() : file_(open_memstream(&bytes_, &size_)) {
-    if (file_ == nullptr) throw std::runtime_error("no memory for the solver's proof");
-  }
-  ~ProofFile() {
-    std::fclose(file_);
-    std::free(bytes_);
-  }
-  ProofFile(const ProofFile&) = delete;
-  ProofFile& operator=(const ProofFile&) = delete;
-
-  FILE* file() { return file_; }
-  std::string_view text() {
-    std::fflush(file_);
-    return {bytes_, size_};
-  }
-
- private:
-  char* bytes_ = nullptr;
-  std::size_t size_ = 0;
-  FILE* file_;
-};
-
-}  // namespace
 
 std::variant<Satisfied, Refuted, Undecided> solve(const Formula& formula, int conflict_limit) {
   constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
-  ProofFile proof;
+  platform::ScratchFile proof;
   CaDiCaL::Solver solver;
   // Plain search, so that each clause it learns follows by unit propagation.
   solver.configure("plain");

@@ -6,11 +6,8 @@
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "oracle/model/printable.hpp"
+#include "platform/files.hpp"
 
 namespace circumspect::formats {
 
@@ -43,7 +40,7 @@ class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
   ~Descriptor() {
-    if (number_ > STDIN_FILENO) close(number_);
+    if (number_ > platform::kStandardInput) platform::close_file(number_);
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -68,9 +65,9 @@ tl::unexpected<FormatError> system_error(const std::string& name, int error) {
 }
 
 // Devices are refused because some of them, such as /dev/zero, never end.
-Status check_kind(const std::string& name, const struct stat& status) {
-  if (S_ISREG(status.st_mode) || S_ISFIFO(status.st_mode)) return {};
-  const std::string kind = S_ISDIR(status.st_mode) ? "a directory" : "a device";
+Status check_kind(const std::string& name, platform::FileKind found) {
+  if (found == platform::FileKind::kRegular || found == platform::FileKind::kPipe) return {};
+  const std::string kind = found == platform::FileKind::kFolder ? "a directory" : "a device";
   return tl::unexpected(FormatError{name, 0, "a file", kind});
 }
 
@@ -81,8 +78,8 @@ Result<std::string> read_all(const std::string& name, int descriptor, std::size_
   std::size_t size = 0;
   while (true) {
     if (text.size() == size) text.resize(2 * size + kStep);
-    const ssize_t count = ::read(descriptor, text.data() + size, text.size() - size);
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count =
+        platform::read_some(descriptor, text.data() + size, text.size() - size);
     if (count < 0) return system_error(name, errno);
     if (count == 0) break;
     size += static_cast<std::size_t>(count);
@@ -96,18 +93,18 @@ Result<std::string> read_all(const std::string& name, int descriptor, std::size_
 Result<Source> load(const std::string& path) {
   const bool is_stdin = path == "-";
   const std::string name = is_stdin ? "<stdin>" : path;
-  struct stat status = {};
+  std::size_t expected = 0;
   if (!is_stdin) {
     // Asked before opening, since to open a device can already have an effect.
-    if (stat(path.c_str(), &status) != 0) return system_error(name, errno);
-    if (Status kind = check_kind(name, status); !kind) return tl::unexpected(kind.error());
+    const auto status = platform::status_of(path);
+    if (!status) return system_error(name, errno);
+    if (Status kind = check_kind(name, status->kind); !kind) return tl::unexpected(kind.error());
+    if (status->kind == platform::FileKind::kRegular) expected = status->size;
   }
-  const Descriptor file(is_stdin ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor file(is_stdin ? platform::kStandardInput : platform::open_to_read(path));
   if (file.number() < 0) return system_error(name, errno);
   try {
-    const bool is_known = S_ISREG(status.st_mode) && status.st_size > 0;
-    Result<std::string> text =
-        read_all(name, file.number(), is_known ? static_cast<std::size_t>(status.st_size) : 0);
+    Result<std::string> text = read_all(name, file.number(), expected);
     if (!text) return tl::unexpected(text.error());
     return Source{name, std::move(*text)};
   } catch (const std::exception&) {  // std::bad_alloc, or std::length_error
@@ -115,30 +112,27 @@ Result<Source> load(const std::string& path) {
   }
 }
 
-bool exists(const std::string& path) {
-  struct stat status = {};
-  return stat(path.c_str(), &status) == 0;
-}
+bool exists(const std::string& path) { return platform::status_of(path).has_value(); }
 
 bool is_folder(const std::string& path) {
-  struct stat status = {};
-  return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+  const auto status = platform::status_of(path);
+  return status && status->kind == platform::FileKind::kFolder;
 }
 
 bool is_regular(const std::string& path) {
-  struct stat status = {};
-  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  const auto status = platform::status_of(path);
+  return status && status->kind == platform::FileKind::kRegular;
 }
 
 std::optional<RandomAccess> RandomAccess::open(const std::string& path) {
   // Asked before opening, since to open a device can already have an effect.
-  struct stat status = {};
-  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (!is_regular(path)) return std::nullopt;
+  const int descriptor = platform::open_to_read(path);
   if (descriptor < 0) return std::nullopt;
   RandomAccess file(descriptor, 0);
-  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  file.size_ = static_cast<std::size_t>(status.st_size);
+  const auto status = platform::status_of(descriptor);
+  if (!status || status->kind != platform::FileKind::kRegular) return std::nullopt;
+  file.size_ = status->size;
   return file;
 }
 
@@ -146,7 +140,7 @@ RandomAccess::RandomAccess(RandomAccess&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), text_(other.text_), size_(other.size_) {}
 
 RandomAccess::~RandomAccess() {
-  if (descriptor_ >= 0) close(descriptor_);
+  if (descriptor_ >= 0) platform::close_file(descriptor_);
 }
 
 bool RandomAccess::read(std::size_t offset, std::size_t count, char* to) const {
@@ -156,8 +150,7 @@ bool RandomAccess::read(std::size_t offset, std::size_t count, char* to) const {
     return true;
   }
   while (count > 0) {
-    const ssize_t got = pread(descriptor_, to, count, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = platform::read_some_at(descriptor_, to, count, offset);
     if (got <= 0) return false;
     offset += static_cast<std::size_t>(got);
     count -= static_cast<std::size_t>(got);

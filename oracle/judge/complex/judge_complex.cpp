@@ -15,7 +15,7 @@ namespace {
 using definition::ListedComplex;
 
 NamedValue named(const char* name, std::size_t value) {
-  return {name, Rational(static_cast<long>(value))};
+  return {name, Rational(to_integer(value))};
 }
 
 // Turns what was found into a verdict, whoever found it.

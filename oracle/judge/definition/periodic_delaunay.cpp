@@ -5,6 +5,7 @@
 
 #include "kernel/complex/circumball.hpp"
 #include "kernel/complex/improper_intersection.hpp"
+#include "kernel/exact/int64.hpp"
 #include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -183,8 +184,8 @@ void for_each_shift(const std::vector<Point>& lattice, const Bounds& box,
     const Integer low = -rounded_down(Rational(-range.low[i]));
     const Integer high = rounded_down(range.high[i]);
     if (low > high) return;
-    first.push_back(std::clamp(low, Integer(-most), most).get_si());
-    last.push_back(std::clamp(high, Integer(-most), most).get_si());
+    first.push_back(*to_int64(std::clamp(low, Integer(-most), most)));
+    last.push_back(*to_int64(std::clamp(high, Integer(-most), most)));
   }
   const Copies moves{.lattice = lattice};
   for (Simplex way = first;;) {

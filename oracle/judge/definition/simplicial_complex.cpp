@@ -11,7 +11,7 @@ namespace circumspect::definition {
 namespace {
 
 NamedValue named(const char* name, std::size_t value) {
-  return {name, Rational(static_cast<long>(value))};
+  return {name, Rational(to_integer(value))};
 }
 
 // The first rule that a simplex breaks by itself.

@@ -10,11 +10,11 @@
 #include <type_traits>
 #include <vector>
 
-#include <sys/mman.h>
 #include <tl/expected.hpp>
 
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/undecided.hpp"
+#include "platform/memory.hpp"
 
 namespace circumspect::fast {
 
@@ -24,7 +24,7 @@ namespace circumspect::fast {
 struct Unmapped {
   std::size_t bytes = 0;
 
-  void operator()(void* memory) const { munmap(memory, bytes); }
+  void operator()(void* memory) const { platform::unmap_memory(memory, bytes); }
 };
 
 // T[] of a type that needs neither constructor nor destructor.
@@ -36,21 +36,9 @@ using LargeArray = std::unique_ptr<T[], Unmapped>;
 template <typename T>
 LargeArray<T> large_array(std::size_t count) {
   static_assert(std::is_trivial_v<T>);
-  constexpr std::size_t kPage = std::size_t{1} << 21;
-  if (count > PTRDIFF_MAX / sizeof(T) - kPage) throw std::bad_alloc();
+  if (count > PTRDIFF_MAX / sizeof(T) - 1) throw std::bad_alloc();
   const std::size_t bytes = count * sizeof(T) + 1;
-  void* const mapped =
-      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapped == MAP_FAILED) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-  // Advises large pages only for pages within the array, so that no other memory is touched. The
-  // system may ignore the advice.
-  const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
-  const std::uintptr_t first = (begin + kPage - 1) / kPage * kPage,
-                       last = (begin + bytes) / kPage * kPage;
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-#endif
-  return LargeArray<T>(static_cast<T*>(mapped), Unmapped{bytes});
+  return LargeArray<T>(static_cast<T*>(platform::map_memory(bytes)), Unmapped{bytes});
 }
 
 // Links that own their memory.

@@ -40,7 +40,7 @@ int orientation_with_barycentre(const SiteRow<kDimension>& row, std::size_t plac
   const int unit = unit_of<kDimension>(row, corners);
   // Everything is multiplied by kDimension + 1, which changes no sign.
   const auto scaled = [&](std::size_t i, std::size_t axis) -> Integer {
-    if (i != place) return in_units(row[i].at[axis], unit) * (kDimension + 1);
+    if (i != place) return in_units(row[i].at[axis], unit) * int{kDimension + 1};
     Integer sum = 0;
     for (const Site<kDimension>& corner : corners) sum += in_units(corner.at[axis], unit);
     return sum;

@@ -230,8 +230,8 @@ void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simple
                         Vertex listed, Vertex expected, Verdict& verdict) {
   Witness witness{.simplices = {mesh.simplices[use.simplex]},
                   .face = use.facet,
-                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
-                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+                  .values = {{"neighbour listed", Rational(to_integer(listed))},
+                             {"neighbour across the face", Rational(to_integer(expected))}}};
   // Names the true neighbour by its vertices, so that the reader need not count simplices.
   if (across != nullptr) witness.simplices.push_back(*across);
   verdict.add(Rule::kWrongNeighbor, witness);

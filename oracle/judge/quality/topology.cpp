@@ -107,10 +107,10 @@ std::vector<std::size_t> face_counts(const CornersList<kSize>& simplices, std::s
   return counts;
 }
 
-long alternating_sum(const std::vector<std::size_t>& counts) {
-  long sum = 0;
+std::int64_t alternating_sum(const std::vector<std::size_t>& counts) {
+  std::int64_t sum = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const long count = static_cast<long>(counts[i]);
+    const auto count = static_cast<std::int64_t>(counts[i]);
     sum += i % 2 == 0 ? count : -count;
   }
   return sum;
@@ -161,7 +161,7 @@ std::optional<std::size_t> genus_of(const CornersList<3>& surface, std::size_t c
                                     std::size_t points) {
   const Joined how = joined(surface, points);
   if (how.is_branched || !how.is_orientable) return std::nullopt;
-  const long twice = 2 * static_cast<long>(how.parts) - static_cast<long>(circles) -
+  const auto twice = 2 * static_cast<std::int64_t>(how.parts) - static_cast<std::int64_t>(circles) -
                      alternating_sum(face_counts(surface, points));
   if (twice < 0 || twice % 2 != 0) return std::nullopt;
   return static_cast<std::size_t>(twice / 2);

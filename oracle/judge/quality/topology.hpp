@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +13,10 @@ namespace circumspect::quality {
 
 struct Topology {
   std::vector<std::size_t> faces =
-      {};                           // how many of each dimension, from 0 to that of the simplices
-  long euler_characteristic = 0;    // their alternating sum
-  std::size_t boundary_facets = 0;  // that one simplex has
-  std::size_t boundary_parts = 0;   // that ridges connect
+      {};  // how many of each dimension, from 0 to that of the simplices
+  std::int64_t euler_characteristic = 0;  // their alternating sum
+  std::size_t boundary_facets = 0;        // that one simplex has
+  std::size_t boundary_parts = 0;         // that ridges connect
   // Of the surface, or of the boundary of tetrahedra, all parts together: how many handles. None if
   // a ridge of it is in more than two facets, if it has no orientation, or of edges. It is what the
   // word says if the mesh is a manifold.

@@ -33,10 +33,10 @@ class VoronoiJudge {
   bool names_vertices(Vertex site) {
     for (const Vertex v : diagram_.cells[static_cast<std::size_t>(site)].corners) {
       if (v >= 0 && v < std::ssize(diagram_.vertices)) continue;
-      verdict_.add(Rule::kVoronoiUnknownVertex,
-                   {.vertices = {site},
-                    .values = {{"index among the finite vertices, from 0",
-                                Rational(static_cast<long>(v))}}});
+      verdict_.add(
+          Rule::kVoronoiUnknownVertex,
+          {.vertices = {site},
+           .values = {{"index among the finite vertices, from 0", Rational(to_integer(v))}}});
       return false;
     }
     return true;
