@@ -21,6 +21,25 @@ std::size_t most_bytes(const Hdf5File& file) {
   return std::max(kSmallArray, file.bytes().size() * kLargestGrowth);
 }
 
+// Fletcher's sums of pairs of bytes, which stand behind these and are taken off; false if they are
+// others. Modulo 65535, for which libhdf5 writes 0 or 65535.
+bool take_checksum(std::string& bytes) {
+  constexpr std::size_t kSize = 4;
+  if (bytes.size() < kSize) return false;
+  Hdf5Cursor sums(bytes, bytes.size() - kSize);
+  const std::uint64_t first = sums.number(2);
+  const std::uint64_t second = sums.number(2);
+  bytes.resize(bytes.size() - kSize);
+  std::uint64_t sum = 0;
+  std::uint64_t sum_of_sums = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += 2) {
+    const unsigned low = i + 1 < bytes.size() ? static_cast<unsigned char>(bytes[i + 1]) : 0;
+    sum = (sum + (static_cast<unsigned char>(bytes[i]) << 8U | low)) % 65535;
+    sum_of_sums = (sum_of_sums + sum) % 65535;
+  }
+  return first % 65535 == sum && second % 65535 == sum_of_sums;
+}
+
 class DataSet {
  public:
   DataSet(const Hdf5File& file, std::string_view path) : file_(file), path_(path) {}
@@ -235,7 +254,7 @@ Result<std::string> DataSet::unpacked(std::string_view stored, std::uint64_t mas
   for (std::size_t i = filters_.size(); i > 0; --i) {
     if ((mask >> (i - 1) & 1U) != 0) continue;
     if (filters_[i - 1] == kChecksum) {
-      bytes.resize(bytes.size() < 4 ? 0 : bytes.size() - 4);
+      if (!take_checksum(bytes)) return fail("chunks with their checksum", "another");
     } else if (filters_[i - 1] == kDeflate) {
       std::string made(size + 4, '\0');  // a checksum may have been packed, too
       uLongf count = made.size();

@@ -47,12 +47,21 @@ Status NastranSystems::add(const NastranEntries& entries, NumberReading reading)
     system.origin = point(0);
     if (on->value_or(0) == 0) system.axes = axes_of(point(0), point(1), point(2));
   }
-  const std::size_t line = system.line;
-  const auto [other, is_new] = systems_.emplace(**tag, std::move(system));
-  if (is_new) return {};
-  return entries.fail_at(0, "a tag of its own for each system of coordinates (line " +
-                                std::to_string(other->second.line) + " has the same as line " +
-                                std::to_string(line) + ")");
+  if (system.entry.starts_with("CORD1")) {  // two in one entry
+    const auto second = entries.integer(4, "the tag of a system of coordinates");
+    if (!second) return tl::unexpected(second.error());
+    if (*second) take(**second, system);
+  }
+  take(**tag, std::move(system));
+  return {};
+}
+
+// Which of two is meant cannot be known, and need not be if no node is given in it.
+void NastranSystems::take(Vertex tag, System system) {
+  const auto [known, is_new] = systems_.emplace(tag, std::move(system));
+  if (is_new) return;
+  known->second.axes.clear();
+  known->second.is_defined_twice = true;
 }
 
 std::optional<Point> NastranSystems::in_basic(const Point& point, Vertex system) const {
@@ -71,6 +80,7 @@ std::string NastranSystems::words(Vertex system) const {
   if (found == systems_.end()) return tag + ", which no CORD entry defines";
   const std::string& entry = found->second.entry;
   const std::string where = ", by " + entry + " on line " + std::to_string(found->second.line);
+  if (found->second.is_defined_twice) return tag + where + " and again";
   if (entry.ends_with("C")) return tag + where + " a cylindrical one";
   if (entry.ends_with("S")) return tag + where + " a spherical one";
   if (entry != "CORD2R") return tag + where + " one that nodes define";

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kernel/exact/number_text.hpp"
 #include "kernel/exact/point.hpp"
@@ -34,7 +35,11 @@ class NastranSystems {
     std::size_t line = 0;
     Point origin = {};
     std::vector<Point> axes = {};  // of length one; none if they are not rational
+    bool is_defined_twice = false;
   };
+
+  void take(Vertex tag, System system);
+
   std::map<Vertex, System> systems_;
 };
 

@@ -156,7 +156,9 @@ TEST_CASE(
   CHECK(has("CORD2R,2,,0.,0.,0.,0.,0.,1.\n,0.,0.,2.\n", irrational));  // no plane
   CHECK(has("CORD2R,2,,0.,0.,0.,0.,0.,x\n", "expected a finite number, found \"x\""));
   const std::string twice = "CORD2R,2,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n";
-  CHECK(has(twice + twice, "f:3: expected a tag of its own for each system"));
+  CHECK(has(twice + twice, "by CORD2R on line 1 and again"));
+  CHECK(nastran(twice + twice + "GRID,1\nCBAR,1,1,1,1\n"));
+  CHECK(has("CORD1S,9,1,2,3,2,3,4,5\n", "a spherical one"));
 }
 
 TEST_CASE("nastran: the content tells it, whatever its name") {

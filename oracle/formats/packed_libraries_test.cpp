@@ -113,7 +113,10 @@ TEST_CASE("lzma: a block gives exactly the bytes for which there is room, or not
 
 #else
 
-TEST_CASE("lzma: without the library nothing unpacks it") { CHECK(lzma_unpacker() == nullptr); }
+TEST_CASE("lzma: without the library nothing unpacks it") {
+  const bool is_there = lzma_unpacker() != nullptr;
+  CHECK_FALSE(is_there);
+}
 
 #endif
 

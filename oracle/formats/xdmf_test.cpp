@@ -120,6 +120,25 @@ TEST_CASE("hdf5: chunks, packed or not, and both forms of groups, of either byte
         std::string::npos);
 }
 
+TEST_CASE("hdf5: a byte of a chunk that is changed breaks its checksum") {
+  auto source = load(kXdmfCorpus + "chunked.h5");
+  REQUIRE(source);
+  std::size_t refused = 0;
+  const std::string text = source->text;
+  const std::string begin_of_chunk = "x^";  // of deflate, level 4
+  for (std::size_t at = text.find(begin_of_chunk); at != std::string::npos;
+       at = text.find(begin_of_chunk, at + 1)) {
+    source->text = text;
+    source->text[at + 4] = static_cast<char>(source->text[at + 4] ^ 1);
+    const auto geometry = read_hdf5(*source, "/Mesh/mesh/geometry");
+    const auto topology = read_hdf5(*source, "/Mesh/mesh/topology");
+    const bool are_both_read = geometry && topology;
+    CHECK_FALSE(are_both_read);
+    refused += error_of(geometry).find("with their checksum") != std::string::npos ? 1 : 0;
+  }
+  CHECK(refused == 6);  // chunks of the geometry
+}
+
 TEST_CASE(
     "hdf5: cut off or changed anywhere, a file is refused or read, and nothing else happens") {
   for (const auto& [name, path] : {std::pair{"chunked.h5", "/Mesh/mesh/topology"},
