@@ -19,7 +19,9 @@ const std::vector<Row>& rows() {
   static const std::vector<Row> kRows = {
       {{Rule::kUnknownVertex}, indices_begin_elsewhere},
       {{Rule::kWrongDimension, Rule::kUnknownVertex}, last_column_is_a_label},
+      {{Rule::kUnknownVertex}, too_few_points},
       {{Rule::kWrongDimension}, last_coordinate_is_none},
+      {{Rule::kDuplicateSimplex}, listed_twice},
       {{Rule::kPointsEqual}, equal_points_of_parts},
       {{Rule::kOrientation, Rule::kInverted}, turned_simplices},
       {{Rule::kOverlap, Rule::kDegenerateSimplex}, other_points},

@@ -196,6 +196,48 @@ TEST_CASE("causes: one that is planted is named, under each claim") {
 }
 
 template <std::size_t kDimension>
+void check_lists(std::size_t side) {
+  const Lists good = grid<kDimension>(side);
+  for (const Claim claim : {Claim::kDelaunay, Claim::kComplex}) {
+    CAPTURE(name(claim));
+    Lists twice = good;
+    Simplex again = good.simplices.back();
+    const std::string listed = [&] {
+      std::string words;
+      for (const Vertex v : again) words += " " + std::to_string(v);
+      return words;
+    }();
+    twice.simplices.push_back(again);
+    CHECK(causes_of(twice, claim).front().words ==
+          std::string(kDimension == 2 ? "1 triangle" : "1 tetrahedron") +
+              " is listed twice:" + listed + "; listed once, the claim holds");
+    // In another order of its vertices, and another one, too.
+    std::reverse(again.begin(), again.end());
+    twice.simplices.back() = again;
+    twice.simplices.push_back(good.simplices.front());
+    CHECK(named(twice, claim).find("are listed again:") != std::string::npos);
+
+    // Half of the points are not there. One index that names no point tells nothing.
+    Lists fewer = good;
+    fewer.points.resize(good.points.size() / 2);
+    const std::string last = std::to_string(fewer.points.size() - 1);
+    CHECK(named(fewer, claim) ==
+          "points-of-another-mesh: the points seem to be those of another "
+          "mesh, or not all of them: the last one is " +
+              last + ", and simplices name vertices up to " +
+              std::to_string(good.points.size() - 1));
+    Lists wrong = good;
+    wrong.simplices.back().back() = static_cast<Vertex>(good.points.size()) + 3;
+    CHECK(named(wrong, claim) == "none");
+  }
+}
+
+TEST_CASE("causes: simplices that are listed twice, and points that are not there") {
+  check_lists<2>(7);
+  check_lists<3>(5);
+}
+
+template <std::size_t kDimension>
 void check_missing(std::size_t side) {
   Lists lists = grid<kDimension>(side);
   const Simplex lost = lists.simplices.back();

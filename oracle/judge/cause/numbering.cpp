@@ -45,6 +45,19 @@ std::optional<Extent> extent(const IndexLists& lists) {
   });
 }
 
+// How many different numbers of [first, end) the simplices name.
+std::size_t named_from(const IndexLists& lists, Vertex first, Vertex end) {
+  std::vector<bool> is_named(static_cast<std::size_t>(end - first), false);
+  lists.visit([&]<class Lists>(const Lists& rows) {
+    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
+      for (const auto v : rows.values()) {
+        if (v >= first && v < end) is_named[static_cast<std::size_t>(v - first)] = true;
+      }
+    }
+  });
+  return static_cast<std::size_t>(std::count(is_named.begin(), is_named.end(), true));
+}
+
 // Has every simplex, but none of them, the right number of vertices?
 bool all_have_wrong_size(const Case& of) {
   return of.count(Rule::kWrongDimension) == of.mesh().simplices.size();
@@ -110,6 +123,26 @@ std::optional<Cause> last_column_is_a_label(Case& of) {
   return of.cause("last-column-is-a-label",
                   "the last column of the simplices is a label: without it, the claim holds",
                   mended->explains);
+}
+
+std::optional<Cause> too_few_points(Case& of) {
+  constexpr std::size_t kFewest = 16;  // fewer are single indices that are wrong
+  const Mesh& mesh = of.mesh();
+  const auto found = extent(mesh.simplices);
+  const auto count = static_cast<Vertex>(mesh.points());
+  if (!found || found->least < 0 || found->most < count) return std::nullopt;
+  // Those of a longer list follow one another. What is no index is anywhere.
+  const std::size_t named = named_from(mesh.simplices, count, 2 * count);
+  if (named < kFewest || 2 * named < static_cast<std::size_t>(found->most - count)) {
+    return std::nullopt;
+  }
+  return of.cause(
+      "points-of-another-mesh",
+      fmt::format(
+          "the points seem to be those of another mesh, or not all of them: the last one is "
+          "{}, and simplices name vertices up to {}",
+          mesh.label(count - 1), mesh.label(0) + found->most),
+      of.count(Rule::kUnknownVertex));
 }
 
 std::optional<Cause> last_coordinate_is_none(Case& of) {

@@ -13,7 +13,11 @@ std::optional<Cause> indices_begin_elsewhere(Case& of);
 std::optional<Cause> last_column_is_a_label(Case& of);
 std::optional<Cause> last_coordinate_is_none(Case& of);
 
+// The mesh without the copies is judged, if that takes little time.
+std::optional<Cause> listed_twice(Case& of);
+
 // The count is verified.
+std::optional<Cause> too_few_points(Case& of);
 std::optional<Cause> one_vertex(Case& of);
 std::optional<Cause> other_points(Case& of);
 std::optional<Cause> turned_simplices(Case& of);

@@ -41,11 +41,15 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
                              q);
 }
 
-// The witness that two simplices overlap: a common point off their common face.
-Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
+// The witness that two simplices overlap: a common point off their common face. A linear program
+// finds the point, so only a witness that is shown has one: where the points are those of another
+// mesh, half of the facets have both of their simplices on one side.
+Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b, bool is_shown) {
   const Simplex& first = mesh.simplices[a];
   const Simplex& second = mesh.simplices[b];
-  return {.simplices = {first, second}, .point = improper_intersection(mesh.points, first, second)};
+  Witness witness{.simplices = {first, second}};
+  if (is_shown) witness.point = improper_intersection(mesh.points, first, second);
+  return witness;
 }
 
 // Are the vertices of two simplices opposite a facet of both on the same side of it?
@@ -58,7 +62,8 @@ bool are_on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& 
 }
 
 // What condition 1 finds wrong with a facet of these uses.
-std::optional<Violation> fault_at_facet(const ExactMesh& mesh, std::span<const FacetUse> uses) {
+std::optional<Violation> fault_at_facet(const ExactMesh& mesh, std::span<const FacetUse> uses,
+                                        bool is_shown) {
   const auto same_side = [&] { return are_on_same_side(mesh, uses[0], uses[1]); };
   switch (conditions::at_facet(uses.size(), same_side)) {
     case conditions::AtFacet::kOverused: {
@@ -67,7 +72,7 @@ std::optional<Violation> fault_at_facet(const ExactMesh& mesh, std::span<const F
       return Violation{Rule::kFacetOverused, std::move(witness)};
     }
     case conditions::AtFacet::kSameSide:
-      return Violation{Rule::kOverlap, overlap(mesh, uses[0].simplex, uses[1].simplex)};
+      return Violation{Rule::kOverlap, overlap(mesh, uses[0].simplex, uses[1].simplex, is_shown)};
     case conditions::AtFacet::kGood:
       break;
   }
@@ -92,7 +97,7 @@ bool is_folded(const ExactMesh& mesh, const Hinge& hinge) {
 }
 
 // What condition 2 finds wrong with a ridge of two facets.
-std::optional<Violation> fault_at_hinge(const ExactMesh& mesh, const Hinge& hinge) {
+std::optional<Violation> fault_at_hinge(const ExactMesh& mesh, const Hinge& hinge, bool is_shown) {
   const Configuration& points = mesh.points.configuration();
   switch (conditions::at_ridge(
       2, [&] { return side_of(points, hinge.first, hinge.second_far); },
@@ -103,7 +108,8 @@ std::optional<Violation> fault_at_hinge(const ExactMesh& mesh, const Hinge& hing
     case conditions::AtRidge::kFirstBeyond:
       return Violation{Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far)};
     case conditions::AtRidge::kFolded:
-      return Violation{Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex)};
+      return Violation{Rule::kOverlap,
+                       overlap(mesh, hinge.first.simplex, hinge.second.simplex, is_shown)};
     case conditions::AtRidge::kNotClosed:
     case conditions::AtRidge::kGood:
       break;
@@ -114,12 +120,14 @@ std::optional<Violation> fault_at_hinge(const ExactMesh& mesh, const Hinge& hing
 // What condition 2 finds wrong with a ridge that these boundary facets use.
 std::optional<Violation> fault_at_ridge(const ExactMesh& mesh,
                                         const std::vector<BoundaryFacet>& boundary,
-                                        std::span<const FacetUse> uses) {
+                                        std::span<const FacetUse> uses, bool is_shown) {
   if (uses.size() == 2) {
     const BoundaryFacet& first = boundary[uses[0].simplex];
     const BoundaryFacet& second = boundary[uses[1].simplex];
-    return fault_at_hinge(mesh, {first, first.facet[uses[0].opposite], second,
-                                 second.facet[uses[1].opposite], uses[0].facet});
+    return fault_at_hinge(mesh,
+                          {first, first.facet[uses[0].opposite], second,
+                           second.facet[uses[1].opposite], uses[0].facet},
+                          is_shown);
   }
   Witness witness{.face = uses.front().facet};
   for (const FacetUse& use : uses) witness.simplices.push_back(boundary[use.simplex].facet);
@@ -150,7 +158,7 @@ bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& us
                           Verdict& verdict) {
   bool matched = true;
   for (const auto group : ByFacet(uses)) {
-    const auto fault = fault_at_facet(mesh, group);
+    const auto fault = fault_at_facet(mesh, group, verdict.keeps_more());
     if (fault) verdict.add(fault->rule, fault->witness);
     matched &= !fault;
   }
@@ -161,7 +169,7 @@ bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& bound
                   const std::vector<FacetUse>& ridges, Verdict& verdict) {
   bool closed_and_convex = true;
   for (const auto group : ByFacet(ridges)) {
-    const auto fault = fault_at_ridge(mesh, boundary, group);
+    const auto fault = fault_at_ridge(mesh, boundary, group, verdict.keeps_more());
     if (fault) verdict.add(fault->rule, fault->witness);
     closed_and_convex &= !fault;
   }
