@@ -310,19 +310,6 @@ TEST_CASE("causes: what is left when one is mended is counted and not explained"
   CHECK(cause.explains + 2 == cause.of);
 }
 
-TEST_CASE("causes: a vertex that is between its neighbours is not out of place") {
-  const std::string one = "one-vertex: all 3 violations of delaunay.facet-not-local name vertex ";
-  std::set<std::string> found;
-  for (const auto& [x, y] : {std::pair{2, 2}, {2, -2}, {-2, 2}, {-2, -2}}) {
-    Lists near = grid<2>(7);
-    const Vertex v = inner<2>(near);
-    near.at(v)[0] += Rational(x, 5);
-    near.at(v)[1] += Rational(y, 5);
-    found.insert(named(near, Claim::kDelaunay).substr(0, one.size()));
-  }
-  CHECK(found == std::set<std::string>{"none", one});
-}
-
 TEST_CASE("causes: parts that were meshed apart") {
   // In the plane their vertices differ where they meet.
   Lists plane = grid<2>(7);
