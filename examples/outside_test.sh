@@ -58,8 +58,8 @@ quietly cmake --build "$work/judge"
 "$work/judge/judge_arrays" >/dev/null || fail "the judge of arrays was wrong"
 
 echo "properties, by find_package"
-# The compiler reads the headers once for both programs: the properties as they stand there, and
-# where doubles are rounded.
+# The compiler reads the headers once for both: the properties as they stand, and where doubles
+# are rounded.
 sed -n '/^CIRCUMSPECT_DELAUNAY_PROPERTIES/,$ { s/"triangulate"/"rounded"/; /\.families/!p }' \
   "$examples/properties/triangulate_test.cpp" >>"$work/examples/properties/triangulate_test.cpp"
 quietly cmake -S "$work/examples/properties" -B "$work/properties" -DCMAKE_PREFIX_PATH="$work/installed" -DCMAKE_CXX_FLAGS=-O1

@@ -6,7 +6,9 @@
 Drawn point sets are meshed and certified. Beside files that spell the same numbers in another way, the certificate is verified.
 It is not where a number is another one, a row is missing or added, or a header announces one row too many or too few.
 """
+import collections
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -95,10 +97,79 @@ def hold(programs, folder, family, claim, dimension):
     return tried
 
 
+# Meshes of corpus/domains beside their domains, and claims that hold.
+DOMAINS = [("accept/plane-ring", "accept/plane-ring", "cdt"), ("accept/cube-square-in-two", "accept/cube-square-in-two", "cdt"),
+           ("accept/hollow-cube", "accept/hollow-cube", "cdt"), ("tetgen/tunnel.1", "tunnel", "steiner-cdt")]  # the last has polygons with holes
+EDITS = 60
+
+
+def edited(text, dice):
+    """The text with one token or one row changed, as a slip of a writer would."""
+    rows = [line.split() for line in text.splitlines() if line.split("#")[0].strip()]
+    place = dice.randrange(len(rows))
+    row = rows[place]
+    column = dice.randrange(len(row))
+    edit = dice.choice(("number", "number", "drop", "double", "without", "again", "segment"))
+    lists = 1 + int(rows[0][0])  # the header of segments or facets
+    if edit == "number":
+        word = row[column]
+        row[column] = str(int(word) + dice.choice((-1, 1))) if word.lstrip("-").isdigit() else str(float(word) + 0.25)
+    elif edit == "drop":
+        del row[column]
+    elif edit == "double":
+        row.insert(column, row[column])
+    elif edit == "segment":  # one less, or one more: in space a facet of two corners
+        less = rows[0][1] == "2" and dice.random() < 0.5
+        rows[lists][0] = str(int(rows[lists][0]) + (-1 if less else 1))
+        ends = [dice.choice(rows[1:lists])[0] for _ in range(2)]
+        rows[lists + 1:lists + 1 + less] = [] if less else [["0", *ends]] if rows[0][1] == "2" else [["1"], ["2", *ends]]
+    elif edit == "without":
+        del rows[place]
+    else:
+        rows.insert(place, list(row))
+    return "".join(" ".join(row) + "\n" for row in rows)
+
+
+def hold_domains(programs, folder):
+    """Edited domains: what the command refuses to read, the proved checker refuses; and if one certificate fits the other's
+    file, so does the other one. How many were tried, of each outcome."""
+    circumspect, verified = programs
+    corpus = pathlib.Path(__file__).resolve().parent.parent / "corpus/domains"
+    dice, counts = random.Random(1), collections.Counter()
+
+    def certified(ele, poly, claim, certificate):
+        run = subprocess.run([circumspect, "certify", ele, "--domain", poly, "--claim", claim, "--quiet", "-o", certificate],
+                             capture_output=True, text=True, check=False)
+        return run.returncode
+
+    def fits(certificate, ele, poly):
+        return subprocess.run([verified, certificate, ele.with_suffix(".node"), ele, poly], capture_output=True, text=True,
+                              check=False).stdout.startswith("verified")
+
+    for mesh, domain, claim in DOMAINS:
+        ele, poly, own, other = corpus / f"{mesh}.ele", corpus / f"{domain}.poly", folder / "own", folder / "other.poly"
+        assert certified(ele, poly, claim, own) == 0 and fits(own, ele, poly), f"{domain}: expected a verified certificate"
+        for _ in range(EDITS):
+            other.write_text(edited(poly.read_text(), dice))
+            code = certified(ele, other, claim, folder / "others")
+            if code not in (0, 1):
+                what = "unreadable"
+                assert code == 2 or not fits(own, ele, other), f"{domain}, edited: the command refuses\n{other.read_text()}"
+            else:
+                forth, back = fits(own, ele, other), fits(folder / "others", ele, poly)
+                assert forth == back, f"{domain}, edited: one certificate fits both of it and\n{other.read_text()}"
+                assert fits(folder / "others", ele, other), f"{domain}, edited: no certificate of its own\n{other.read_text()}"
+                what = "the same" if forth else "another"
+            counts[what] += 1
+    assert len(counts) == 3, counts
+    return sum(counts.values())
+
+
 def main():
     programs = [pathlib.Path(name).resolve() for name in sys.argv[1:3]]
-    with tempfile.TemporaryDirectory() as folder:
-        tried = sum(hold(programs, pathlib.Path(folder), *one) for one in SETS)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        tried = sum(hold(programs, folder, *one) for one in SETS) + hold_domains(programs, folder)
     print(f"{tried} pairs of files: a certificate is verified beside the user's own alone")
 
 

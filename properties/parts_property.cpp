@@ -138,16 +138,34 @@ ArrayMesh with_submerged_tie(const std::vector<double>& point) {
   return mesh;
 }
 
-TEST_CASE("a submerged point in a witness plane is as canonical in parts as in the whole") {
+// Such a point is between the vertices that surround it, and never the first in the order by which
+// ties are broken: it stays submerged, and the mesh is the canonical one.
+TEST_CASE("a submerged point in a witness plane is a tie in parts as in the whole") {
   for (const std::vector<double>& point :
        {std::vector<double>{1, 2}, {0, 2}, {3, 3}, {1, 2, 2}, {0, 1, 2}, {2, 2, 2}, {0, 0, 3}}) {
     const ArrayMesh mesh = with_submerged_tie(point);
     const std::string whole = said_by_one(Claim::kWeightedDelaunay, mesh, {});
     CHECK(whole.find("holds: weighted-delaunay") != std::string::npos);
-    CHECK(whole.find(" not-unique not-canonical") != std::string::npos);
+    CHECK(whole.find(" not-unique canonical") != std::string::npos);
     for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAllToOne, Way::kSomeToNone}) {
       properties::Dice dice(7);
       CHECK(said_in_turns(Claim::kWeightedDelaunay, mesh, way, dice, {}, 4) == whole);
+    }
+  }
+}
+
+TEST_CASE("a point beyond the hull is found in parts beside a submerged one, whichever is first") {
+  for (const bool is_first : {false, true}) {
+    ArrayMesh mesh = with_submerged_tie({1, 2});
+    const std::size_t place = mesh.points() - (is_first ? 1 : 0);
+    mesh.coordinates.insert(mesh.coordinates.begin() + static_cast<std::ptrdiff_t>(2 * place),
+                            {-5, -5});
+    mesh.weights.insert(mesh.weights.begin() + static_cast<std::ptrdiff_t>(place), -1000);
+    const std::string whole = said_by_one(Claim::kWeightedDelaunay, mesh, {});
+    CHECK(whole.find("fails: weighted-delaunay") != std::string::npos);
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {  // which says how many parts there are
+      properties::Dice dice(seed);
+      CHECK(said_in_turns(Claim::kWeightedDelaunay, mesh, Way::kSlices, dice, {}, 3) == whole);
     }
   }
 }

@@ -65,8 +65,8 @@ struct Finding {
 };
 
 struct Result {
-  std::size_t cases = 0;         // in all, including those of earlier calls
-  std::size_t cases_before = 0;  // done by earlier calls
+  std::size_t cases = 0;           // in all, including those of earlier calls
+  std::size_t cases_before = 0;    // done by earlier calls
   bool was_killed_before = false;  // the last of them did not end by itself
   // In the order of their first cases, except that those with extreme numbers follow the others,
   // and those of flat sets come last.
