@@ -17,6 +17,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
+#include "reference/existence/existence.hpp"
 #include "reference/existence/solver.hpp"
 
 namespace circumspect::cli {
@@ -59,7 +60,7 @@ std::vector<Point> image(const PointSet& points, int number) {
 
 // In space the facets of the tetrahedra, and triangles that dangle, are the polygons of a domain,
 // of which these are tetrahedra. A CDT of it does; where there is none, there may be one of an
-// affine image.
+// affine image, or some other triangulation, which is searched for if there are few points.
 std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
                                                   const std::vector<Simplex>& tetrahedra,
                                                   const std::vector<Simplex>& dangling) {
@@ -80,7 +81,12 @@ std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
     auto rest = others(cdt->simplices, tetrahedra);
     if (rest) return rest;
   }
-  return std::nullopt;
+  facets.points = points.points();
+  const PiecewiseLinearComplex complex = assemble(facets);
+  const auto any = existence::any_triangulation(complex, Regions(complex), {.vertices = 24});
+  const auto* exists = std::get_if<existence::Exists>(&any);
+  if (exists == nullptr) return std::nullopt;
+  return others(exists->tetrahedra, tetrahedra);
 }
 
 bool fills_its_hull(const PointSet& points, const std::vector<Simplex>& simplices, Claim claim) {
@@ -263,6 +269,28 @@ bool may_have_pockets(const Domain& domain, Claim claim) {
          claim != Claim::kConformingDelaunay;
 }
 
+// A mesh in a plane of space, of which all dangles, with a point beside the plane.
+std::optional<certificate::FilledMesh> beside_its_plane(const ExactMesh& mesh) {
+  if (mesh.points.ambient_dimension() != 3 || mesh.points.dimension() != 2) return std::nullopt;
+  std::vector<Vertex> labels;
+  for (Vertex v = 0; mesh.points.names(v); ++v) labels.push_back(mesh.label(v));
+  labels.push_back(0);  // the point is nobody's
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<Point> points = mesh.points.points();
+    points.push_back(points.front());
+    points.back()[axis] += 1;
+    certificate::FilledMesh filled{mesh, {}, 1};
+    filled.mesh.points = PointSet(std::move(points));
+    filled.mesh.labels = labels;
+    if (filled.mesh.points.dimension() != 3) continue;
+    auto rest = fill(filled.mesh.points, {}, mesh.faces);
+    if (!rest) return std::nullopt;
+    filled.rest = std::move(*rest);
+    return filled;
+  }
+  return std::nullopt;
+}
+
 // Hole points that options gave the domain, as circumspect-verified is told of them.
 void note_further_holes(const LoadedDomain& loaded, Output& output) {
   const std::vector<Point>& seeds = loaded.domain.complex.hole_seeds;
@@ -305,8 +333,9 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
   }
   auto document = certificate::domain_certificate_of(mesh, loaded.domain, listed_segments(loaded),
                                                      verdict.claim(), fillers());
-  if (!document && may_have_pockets(loaded.domain, verdict.claim())) {
-    const auto filled = filled_by_cones(mesh);
+  auto filled = document ? std::nullopt : beside_its_plane(mesh);
+  if (!document && (filled || may_have_pockets(loaded.domain, verdict.claim()))) {
+    if (!filled) filled = filled_by_cones(mesh);
     auto with_helpers =
         filled ? certificate::domain_certificate_of(*filled, loaded.domain, listed_segments(loaded),
                                                     verdict.claim(), fillers())

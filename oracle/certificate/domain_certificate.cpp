@@ -277,7 +277,7 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
   const PiecewiseLinearComplex& complex = domain.complex;
   const std::size_t dimension = complex.ambient_dimension();
   if ((dimension != 2 && dimension != 3) ||
-      complex.points.dimension() != static_cast<int>(dimension)) {
+      mesh.points.dimension() != static_cast<int>(dimension)) {
     return tl::unexpected(std::string(kNoCertificate) +
                           "the domain does not span the plane or space");
   }
