@@ -1,7 +1,8 @@
 // What the package answers, as its users ask it:   node --test js/oracle_test.mjs   CIRCUMSPECT_PACKAGE is the folder of it.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -185,6 +186,13 @@ test('a library that had to end says why, and the next call has another one', as
   assert.throws(() => tried.version(), /^RangeError: expected memory for this mesh and its exact numbers, found no more/);
   assert.throws(() => tried.version(), /^Error: internal error: Assertion failed: holds; please report it$/);
   assert.equal(tried.version(), oracle.version());
+});
+
+test('where a bundler left the compiled library behind, the error says where it belongs', async () => {
+  const bare = mkdtempSync(join(tmpdir(), 'oracle-'));
+  for (const name of readdirSync(folder).filter((one) => one.endsWith('.mjs'))) copyFileSync(join(folder, name), join(bare, name));
+  await assert.rejects(import(pathToFileURL(join(bare, 'index.mjs'))), /^Error: expected the compiled library as file:.*circumspect\.wasm, found none: /);
+  rmSync(bare, { recursive: true });
 });
 
 test('require() brings the same', () => {
