@@ -23,7 +23,7 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
 .PHONY: build verified demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
-        coverage bench format clean deb dist fresh-root ports wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
+        coverage bench format clean deb dist fresh-root ports windows wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
         deps-deb deps-bench deps-web
 
 deps: ; @cmake/packages.sh build demo proofs test browser bench web
@@ -128,6 +128,11 @@ fresh-root: deps-deb
 ports:
 	@cmake/packages.sh ports
 	@JOBS=$(JOBS) cmake/ports.sh build/ports
+
+# The command and the C library for Windows, by mingw-w64, which judge under wine.
+windows:
+	@cmake/packages.sh build windows
+	@JOBS=$(JOBS) cmake/windows.sh build/windows
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs

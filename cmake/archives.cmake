@@ -86,6 +86,12 @@ circumspect_add_archive(circumspect_archive harness circumspect-harness
 # circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file
 # MAP names.
 function(circumspect_show_only target map)
+  if(APPLE)  # whose linker reads no such files, and takes one pattern as ours have it
+    file(READ "${map}" text)
+    string(REGEX REPLACE ".*global: ([^;]*);.*" "\\1" shown "${text}")
+    target_link_options(${target} PRIVATE "LINKER:-exported_symbol,_${shown}")
+    return()
+  endif()
   target_link_options(${target} PRIVATE "LINKER:--version-script=${map}")
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${map}")
 endfunction()
@@ -98,7 +104,7 @@ if(NOT DEFINED BUILD_SHARED_LIBS OR BUILD_SHARED_LIBS)
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   set_target_properties(circumspect_c_library PROPERTIES OUTPUT_NAME circumspect EXPORT_NAME c LINKER_LANGUAGE CXX
                                                          VERSION ${PROJECT_VERSION} SOVERSION 0)
-  if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")  # the sanitizers' own are in the program
+  if(NOT APPLE AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")  # the sanitizers' own are in the program
     target_link_options(circumspect_c_library PRIVATE LINKER:--no-undefined)
   endif()
   circumspect_show_only(circumspect_c_library "${PROJECT_SOURCE_DIR}/c/circumspect.map")

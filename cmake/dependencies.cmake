@@ -24,14 +24,23 @@ if(CIRCUMSPECT_STATIC)
   string(APPEND CMAKE_CXX_STANDARD_LIBRARIES " -lgmp")
 endif()
 
-# In a browser: headers and archives of all are in one folder, which command/web/libraries.sh has
-# made. What the standard library there lacks is in a header that stands before every file.
-if(EMSCRIPTEN)
-  include_directories(SYSTEM "${CIRCUMSPECT_WEB_LIBRARIES}/include")
-  foreach(package fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 CGAL::CGAL Threads::Threads)
+# In a browser, and on Windows as cmake/windows.cmake compiles for it: headers and archives of all
+# are in one folder, which command/web/libraries.sh or cmake/windows_libraries.sh has made.
+set(libraries "${CIRCUMSPECT_WEB_LIBRARIES}${CIRCUMSPECT_WINDOWS_LIBRARIES}")
+if(libraries)
+  include_directories(SYSTEM "${libraries}/include")
+  foreach(package fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 CGAL::CGAL)
     add_library(${package} INTERFACE IMPORTED GLOBAL)
   endforeach()
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+  file(STRINGS "${libraries}/include/CGAL/version.h" CGAL_VERSION REGEX "define CGAL_VERSION ")
+  string(REGEX REPLACE ".*CGAL_VERSION +" "" CGAL_VERSION "${CGAL_VERSION}")
+  list(PREPEND CMAKE_PREFIX_PATH "${libraries}")
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+endif()
+# What the standard library of the browser lacks is in a header that stands before every file.
+if(EMSCRIPTEN)
+  add_library(Threads::Threads INTERFACE IMPORTED GLOBAL)
   # WebAssembly always rounds to nearest, so no interval of CGAL's may be used, and none is: its
   # kernel here computes with rationals alone. What it tries at the start of a program would end the
   # program.
@@ -41,7 +50,6 @@ if(EMSCRIPTEN)
   target_compile_options(circumspect_settings INTERFACE
                          "$<IF:$<IN_LIST:$<TARGET_PROPERTY:NAME>,circumspect_fast;circumspect_fast_predicates>,-O2,-Oz>" -fwasm-exceptions
                          "SHELL:-include ${PROJECT_SOURCE_DIR}/command/web/libcxx.hpp")
-  list(PREPEND CMAKE_PREFIX_PATH "${CIRCUMSPECT_WEB_LIBRARIES}")
   set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE NEVER)
   set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY NEVER)
 endif()
@@ -69,6 +77,7 @@ endfunction()
 
 circumspect_find_library(gmp gmpxx.h gmpxx gmp DEBIAN libgmp-dev)
 circumspect_find_library(mpfr mpfr.h mpfr DEBIAN libmpfr-dev)
+target_link_libraries(circumspect::mpfr INTERFACE circumspect::gmp)  # archives are searched in this order
 circumspect_find_library(expected tl/expected.hpp DEBIAN libexpected-dev)
 circumspect_find_library(boost boost/geometry/index/rtree.hpp DEBIAN libboost-dev)
 circumspect_find_package(fmt fmt::fmt)
@@ -110,7 +119,7 @@ endif()
 
 # Its place can be taken by threads of our own, which share out the work a little worse.
 option(CIRCUMSPECT_PLAIN_THREADS "Judge without oneTBB, as is done where there is none" OFF)
-if(NOT CIRCUMSPECT_PLAIN_THREADS AND NOT CIRCUMSPECT_STATIC AND NOT EMSCRIPTEN AND NOT TARGET TBB::tbb)
+if(NOT CIRCUMSPECT_PLAIN_THREADS AND NOT CIRCUMSPECT_STATIC AND NOT libraries AND NOT TARGET TBB::tbb)
   find_package(TBB QUIET)
 endif()
 add_library(circumspect::parallel INTERFACE IMPORTED GLOBAL)

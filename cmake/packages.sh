@@ -2,7 +2,7 @@
 # Installs the Debian packages that a purpose needs and that are missing:
 #   cmake/packages.sh
 #   build|demo|verified|docs|proofs|test|coverage|mutants|browser|web|wheel|rust|deb|ports|hunt
-#   |bench...
+#   |windows|bench...
 # When nothing is missing it touches neither the network nor the system. A|B is the first of the two
 # that this release of Debian has; with a question mark behind it, what it does not have is left
 # out.
@@ -144,6 +144,14 @@ END
     ports) cat <<'END'
 debootstrap           makes the bare Debian in which the project is built
 binutils              reads for which machine a program is
+END
+      ;;
+    windows) cat <<'END'
+g++-mingw-w64-x86-64-posix  compiles for Windows
+libz-mingw-w64-dev    zlib for Windows
+dpkg-dev              unpacks the sources of the libraries that Debian has not for Windows
+wine64                runs what was compiled
+wine                  calls it by its name
 END
       ;;
     docs) cat <<'END'

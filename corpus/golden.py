@@ -3,6 +3,7 @@
 
     golden.py COMMAND             compare with golden.tsv; exit 1 and name what differs
     golden.py COMMAND --update    write golden.tsv
+    golden.py COMMAND --one-in 8  compare one row in eight
 
 CIRCUMSPECT_ONE_INPUT_IN=4 in the environment, as `make test` has it, compares one JSON report in four, and all texts but the two
 that take longest.
@@ -108,10 +109,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("command", type=os.path.abspath)
     parser.add_argument("--update", action="store_true")
+    parser.add_argument("--one-in", type=int, default=1, metavar="N")
     options = parser.parse_args()
     one_in = 1 if options.update else int(os.environ.get("CIRCUMSPECT_ONE_INPUT_IN", "1"))
     lines = [line for i, line in enumerate(command_lines())
              if one_in == 1 or (line not in SLOW and (not is_json_of_check(line) or i // 2 % one_in == 0))]
+    if not options.update:
+        lines = lines[::options.one_in]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         found = list(pool.map(lambda line: row_of(options.command, line), lines))
     if options.update:

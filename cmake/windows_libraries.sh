@@ -1,0 +1,65 @@
+#!/bin/bash
+# Compiles for Windows the libraries of which Debian has no archive for it, from Debian's sources:
+#   cmake/windows_libraries.sh FOLDER
+# FOLDER/lib has the archives; FOLDER/include has their headers, and links to those of the libraries
+# that are headers alone. Nothing outside FOLDER is changed. A second call does nothing unless this
+# script has changed.
+set -euo pipefail
+mkdir -p "${1:?usage: cmake/windows_libraries.sh FOLDER}"
+folder=$(realpath "$1")
+script=$(realpath "${BASH_SOURCE[0]}")
+log=$folder/libraries.log
+machine=x86_64-w64-mingw32
+jobs=${JOBS:-$(nproc)}
+cmp -s "$script" "$folder/.complete" && exit 0
+rm -rf "${folder:?}"/{sources,include,lib,.complete}
+mkdir -p "$folder"/{sources,include,lib,apt/lists/partial,apt/archives/partial}
+: >"$log"
+trap 'status=$?; if [ $status -ne 0 ]; then tail -n 30 "$log"; echo "cmake/windows_libraries.sh failed; $log has it all"; fi >&2' EXIT
+
+# Debian's sources, by a list of our own: most systems have no line deb-src, and need not get one.
+release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+printf 'deb-src http://deb.debian.org/debian %s main\n' "$release" >"$folder/apt/sources.list"
+apt=(apt-get -q -o Acquire::Retries=3 -o Dir::Etc::sourcelist="$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
+     -o Dir::State::lists="$folder/apt/lists" -o Dir::Cache="$folder/apt" -o APT::Sandbox::User="$(id -un)")
+echo "fetching the sources of GMP, MPFR, pugixml and CaDiCaL from Debian"
+"${apt[@]}" update >>"$log" 2>&1
+(cd "$folder/sources" && "${apt[@]}" source --download-only gmp mpfr4 pugixml cadical) >>"$log" 2>&1
+for description in "$folder"/sources/*.dsc; do
+  name=$(basename "${description%%_*}")
+  dpkg-source --no-check -x "$description" "$folder/sources/$name" >>"$log" 2>&1
+done
+
+echo "compiling GMP and MPFR"
+cross=(--host=$machine --prefix="$folder" --libdir="$folder/lib" --disable-shared --enable-static CC_FOR_BUILD=gcc
+       CC=$machine-gcc-posix CXX=$machine-g++-posix)
+mkdir -p "$folder/sources/gmp/doc" && touch "$folder/sources/gmp/doc/Makefile.in"  # Debian leaves the manual out
+(cd "$folder/sources/gmp"
+ parts=(SUBDIRS="mpn mpz mpq mpf printf scanf rand cxx")
+ ./configure "${cross[@]}" --enable-fat --enable-cxx
+ make -j "$jobs" "${parts[@]}"
+ make "${parts[@]}" install
+ cd "$folder/sources/mpfr4"
+ ./configure "${cross[@]}" --with-gmp="$folder" --enable-thread-safe
+ make -j "$jobs" -C src
+ make -C src install) >>"$log" 2>&1
+
+echo "compiling pugixml and CaDiCaL"
+(cd "$folder/sources/pugixml"
+ $machine-g++-posix -O2 -c src/pugixml.cpp -o pugixml.o
+ $machine-ar rcs "$folder/lib/libpugixml.a" pugixml.o
+ cp src/pugixml.hpp src/pugiconfig.hpp "$folder/include"
+ cd "$folder/sources/cadical/src"
+ for file in *.cpp; do
+   case $file in cadical.cpp | mobical.cpp | ipasir.cpp) continue ;; esac
+   echo "$file"
+ done | xargs -P "$jobs" -I{} $machine-g++-posix -O2 -D__WIN32 -DNBUILD -DNUNLOCKED -DNTRACING -c {} -o {}.o
+ $machine-ar rcs "$folder/lib/libcadical.a" ./*.o
+ cp cadical.hpp "$folder/include") >>"$log" 2>&1
+
+# Headers alone: links, so that nothing else of the system's is seen.
+for headers in boost CGAL CLI fmt nlohmann tl; do
+  [ -e "/usr/include/$headers" ] || { echo "expected the headers /usr/include/$headers, found none" >&2; exit 1; }
+  ln -sfn "/usr/include/$headers" "$folder/include/$headers"
+done
+cp "$script" "$folder/.complete"
