@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "kernel/exact/number.hpp"
@@ -135,8 +136,7 @@ std::optional<BetweenCorners> take_corners(SimplexFile& simplices, const PointFi
   file.points = points;
   SimplexFile& kept = corners == 3 ? file.triangles : file.tetrahedra;
   for (const Simplex& simplex : simplices.simplices) {
-    kept.simplices.push_back(
-        {simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(corners)});
+    kept.simplices.push_back(std::span(simplex).first(corners));
     file.corners_of_curved.push_back(corners);
   }
   file.curved.simplices = std::move(simplices.simplices);
