@@ -59,7 +59,7 @@ target_compile_options(circumspect_settings INTERFACE -ffp-contract=off)  # the 
 if(MINGW)
   # GCC aligns wide vectors on a stack that Windows aligns less (GCC bug 54412): the assembler is to
   # move them as if they were anywhere.
-  target_compile_options(circumspect_settings INTERFACE -Wa,-muse-unaligned-vector-move)
+  target_compile_options(circumspect_settings INTERFACE -Wa,-muse-unaligned-vector-move -Wa,-mbig-obj)  # and many sections
 endif()
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(circumspect_settings INTERFACE

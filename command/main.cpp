@@ -198,7 +198,7 @@ int circumspect::cli::command_line(int argc, char** argv) {
   circumspect::end_where_numbers_exhaust_memory(end_without_memory);
   usual_end = std::set_terminate(end_where_nobody_catches);
   try {
-    return static_cast<int>(circumspect::cli::when_written(run(argc, argv)));
+    return static_cast<int>(circumspect::cli::when_written(::run(argc, argv)));
   } catch (const std::bad_alloc&) {
     end_without_memory();
   } catch (const std::system_error& error) {  // the system would not: that is not a mistake of ours
