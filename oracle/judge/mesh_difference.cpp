@@ -108,29 +108,42 @@ CellList cells_at(const Mesh& mesh, const std::vector<std::size_t>& places) {
   return cells;
 }
 
-CellList cells_of(const Mesh& mesh) {
-  CellList cells;
-  mesh.simplices.visit([&cells]<class Lists>(const Lists& lists) {
+template <class Visit>
+void for_each_simplex(const Mesh& mesh, const Visit& visit) {
+  mesh.simplices.visit([&visit]<class Lists>(const Lists& lists) {
     if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
-      for (const Simplex& simplex : lists) cells.add(simplex);
+      for (const Simplex& simplex : lists) visit(simplex);
     } else {
-      cells.reserve(lists.rows(), lists.rows() * lists.columns());
-      for (std::size_t i = 0; i < lists.rows(); ++i) cells.add(lists.row(i));
+      Simplex simplex;
+      for (std::size_t i = 0; i < lists.rows(); ++i) {
+        const auto row = lists.row(i);
+        simplex.assign(row.begin(), row.end());
+        visit(simplex);
+      }
     }
   });
-  add_dangling(cells, mesh.faces, mesh.points());
+}
+
+CellList simplices_of(const Mesh& mesh) {
+  CellList cells;
+  for_each_simplex(mesh, [&cells](const Simplex& simplex) { cells.add(simplex); });
   return cells;
 }
 
+CellList dangling_faces_of(const Mesh& mesh) {
+  const auto each = [&mesh](const auto& visit) { for_each_simplex(mesh, visit); };
+  return dangling_faces(mesh.faces, each, mesh.points());
+}
+
 CellDifference difference_of(const Mesh& a, const Mesh& b, const std::vector<Vertex>& place_in_b) {
-  if (a.faces.empty() && b.faces.empty()) {
-    // What the two meshes list equally often is in neither's list, whatever else they have.
-    if (const auto unlike = unlike_rows(a.simplices, b.simplices, place_in_b, b.points())) {
-      return difference_of_cells(cells_at(a, unlike->of_a), cells_at(b, unlike->of_b), place_in_b,
-                                 b.points());
-    }
-  }
-  return difference_of_cells(cells_of(a), cells_of(b), place_in_b, b.points());
+  // What the two meshes list equally often is in neither's list, whatever else they have. A
+  // dangling face is none of these, since it would be a face of a simplex.
+  const auto unlike = unlike_rows(a.simplices, b.simplices, place_in_b, b.points());
+  CellList of_a = unlike ? cells_at(a, unlike->of_a) : simplices_of(a);
+  CellList of_b = unlike ? cells_at(b, unlike->of_b) : simplices_of(b);
+  of_a.add_all(dangling_faces_of(a));
+  of_b.add_all(dangling_faces_of(b));
+  return difference_of_cells(of_a, of_b, place_in_b, b.points());
 }
 
 }  // namespace

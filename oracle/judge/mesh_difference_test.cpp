@@ -58,8 +58,8 @@ TEST_CASE("random meshes: points in any order, weighted or not, of either dimens
   }
 }
 
-// Without faces, cells that both meshes list equally often are left out before.
-TEST_CASE("random meshes of cells alone: some listed again, some missing, in another order") {
+// Cells that both meshes list equally often are left out before.
+TEST_CASE("random meshes of cells: some listed again, some missing, in another order, with faces") {
   std::mt19937 random(12);
   const auto below = [&random](std::size_t n) { return random() % n; };
   std::size_t same = 0;
@@ -93,7 +93,22 @@ TEST_CASE("random meshes of cells alone: some listed again, some missing, in ano
     if (!moved.empty() && below(3) == 0) moved.pop_back();
     if (!moved.empty() && below(3) == 0) moved.push_back(moved[below(moved.size())]);
     if (below(6) == 0) others.back()[0] += 1;
-    const ExactMesh a{PointSet(all), cells}, b{PointSet(others), moved};
+    ExactMesh a{PointSet(all), cells}, b{PointSet(others), moved};
+    if (round % 2 == 0) {
+      // Of any size: those of simplices, others, and some that are simplices of the other mesh.
+      const auto faces = [&](const std::vector<Simplex>& theirs) {
+        std::vector<Simplex> some(below(5));
+        for (Simplex& face : some) {
+          for (std::size_t i = 2 + below(size - 1); i > 0; --i) {
+            face.push_back(static_cast<Vertex>(below(points)));
+          }
+        }
+        if (!theirs.empty() && below(2) == 0) some.push_back(theirs[below(theirs.size())]);
+        return some;
+      };
+      a.faces = faces(moved);
+      b.faces = faces(cells);
+    }
     are_compared_alike(a, b);
     are_compared_alike(b, a);
     same += difference(in_rows(a), in_rows(b))->empty() ? 1u : 0u;

@@ -61,21 +61,30 @@ std::vector<Simplex> dangling_simplices(const MeshedDomain& in,
   return dangling;
 }
 
+// Of each simplex: need its ball not be looked at, since it is known to be empty?
+std::vector<bool> known_to_be_empty(const MeshedDomain& in) {
+  const bool is_known = in.known != nullptr && in.known->doubtful_balls;
+  std::vector<bool> empty(in.mesh.simplices.size(), is_known);
+  if (is_known) {
+    for (const std::size_t s : *in.known->doubtful_balls) empty[s] = false;
+  }
+  return empty;
+}
+
 }  // namespace
 
 void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                              Verdict& verdict) {
   const VertexIndex index(in.mesh.points);
   const bool all_are_local = in.known != nullptr && in.known->not_local.empty();
-  const bool are_empty_at_boundary = in.known != nullptr && in.known->boundary_balls_are_empty;
   // A simplex with several facets on the boundary is judged at the first.
-  std::vector<bool> judged(in.mesh.simplices.size(), false);
+  std::vector<bool> judged = known_to_be_empty(in);
   for (const auto group : ByFacet(in.uses)) {
     if (group.size() == 2) {
       if (!all_are_local) judge_shared_facet(in.mesh, group, verdict);
       continue;
     }
-    if (are_empty_at_boundary || judged[group.front().simplex]) continue;
+    if (judged[group.front().simplex]) continue;
     judged[group.front().simplex] = true;
     judge_ball_at_boundary(in.mesh, index, group.front(), verdict);
   }

@@ -130,16 +130,17 @@ inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMes
     std::sort(facets->begin(), facets->end());
   }
   known.fills_hull = domain.complex.kind == DomainKind::kHull && fills_hull(mesh);
-  known.boundary_balls_are_empty =
-      claim == Claim::kConformingDelaunay && known.not_local.empty() &&
-      std::all_of(known.boundary.begin(), known.boundary.end(), [&](fast::FacetId facet) {
-        const Simplex& simplex = mesh.simplices[facet.simplex()];
-        for (Vertex v = 0; points.names(v); ++v) {
-          if (contains(simplex, v)) continue;
-          if (in_ball(points.configuration(), simplex, v) > 0) return false;
-        }
-        return true;
-      });
+  if (claim != Claim::kConformingDelaunay) return known;
+  known.doubtful_balls.emplace();
+  for (const fast::FacetId facet : known.boundary) {
+    const std::size_t s = facet.simplex();
+    for (Vertex v = 0; points.names(v); ++v) {
+      const Simplex& simplex = mesh.simplices[s];
+      if (contains(simplex, v) || in_ball(points.configuration(), simplex, v) <= 0) continue;
+      known.doubtful_balls->push_back(s);
+      break;
+    }
+  }
   return known;
 }
 

@@ -336,7 +336,7 @@ std::optional<Verdict> held_by_facets(Claim claim, const fast::MeshView<3, Index
   if (complex.ambient_dimension() != 3 || complex.kind != DomainKind::kEnclosed)
     return std::nullopt;
   if (claim == Claim::kConformingDelaunay &&
-      !(known.not_local.empty() && known.boundary_balls_are_empty)) {
+      !(known.not_local.empty() && known.boundary_balls_are_empty())) {
     return std::nullopt;
   }
   const std::size_t steiner = mesh.points() - std::min(mesh.points(), complex.points.size());

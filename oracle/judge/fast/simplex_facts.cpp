@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -66,13 +65,14 @@ class BallInBounds {
   double far_ = 0;  // no less than the square of the radius
 };
 
-// Also false if it would take long to find out.
+// The simplices with these facets whose balls are not empty, and those for which it would take long
+// to find out.
 template <typename Index>
-bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>& boundary,
-                      unsigned threads) {
+std::vector<std::size_t> doubtful_balls(const MeshView<3, Index>& mesh,
+                                        const std::vector<FacetId>& boundary, unsigned threads) {
   constexpr std::size_t kChunk = 256;
-  constexpr std::size_t kSteps = 512;  // for each simplex, on average
-  std::vector<std::size_t> simplices;  // facets of one follow each other
+  constexpr std::size_t kSteps = 1 << 14;  // for each simplex
+  std::vector<std::size_t> simplices;      // facets of one follow each other
   for (const FacetId facet : boundary) {
     if (simplices.empty() || simplices.back() != facet.simplex()) {
       simplices.push_back(facet.simplex());
@@ -85,7 +85,7 @@ bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>
   }
   const BoxTree tree(std::move(points));
   const Lattice lattice = lattice_of_all(mesh.coordinates, {});
-  const auto is_empty = [&](std::size_t s, std::size_t& steps) {
+  const auto is_empty = [&](std::size_t s) {
     SiteRow<3> row;
     for (std::size_t i = 0; i < 4; ++i) row[i] = mesh.template site<false>(mesh.row(s)[i]);
     const auto bounds = BallInBounds::of(row);
@@ -93,6 +93,7 @@ bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>
     Stages stages;  // not used: the sweep counts those of a mesh
     const Ball<3> ball = ball_of<3, false>(row, lattice);
     const int own = ball.orientation(stages);
+    std::size_t steps = kSteps;
     return tree.all_near(
         steps, [&](const AxisBox& box) { return bounds->is_beyond(box); },
         [&](std::uint32_t point) {
@@ -102,15 +103,16 @@ bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>
                  ball.contains(mesh.template site<false>(v), stages) * own <= 0;
         });
   };
-  std::atomic<bool> all = true;
+  std::vector<std::vector<std::size_t>> parts(chunks_of(simplices.size(), kChunk));
   in_chunks(simplices.size(), kChunk, threads,
-            [&](std::size_t, std::size_t first, std::size_t last) {
-              std::size_t steps = kSteps * kChunk;
-              for (std::size_t i = first; i < last && all.load(std::memory_order_relaxed); ++i) {
-                if (!is_empty(simplices[i], steps)) all.store(false, std::memory_order_relaxed);
+            [&](std::size_t chunk, std::size_t first, std::size_t last) {
+              for (std::size_t i = first; i < last; ++i) {
+                if (!is_empty(simplices[i])) parts[chunk].push_back(simplices[i]);
               }
             });
-  return all.load();
+  std::vector<std::size_t> doubtful;
+  for (const auto& part : parts) doubtful.insert(doubtful.end(), part.begin(), part.end());
+  return doubtful;
 }
 
 }  // namespace
@@ -142,9 +144,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
     facts.fills_hull = judge(mesh, links->view(), Question::kTriangulation, threads).has_value();
   }
   if constexpr (kDimension == 3) {
-    // This is not asked if a facet between two simplices is at fault.
-    facts.boundary_balls_are_empty = wanted.boundary_balls && facts.not_local.empty() &&
-                                     have_empty_balls(mesh, facts.boundary, threads);
+    if (wanted.boundary_balls) facts.doubtful_balls = doubtful_balls(mesh, facts.boundary, threads);
   }
   return facts;
 }

@@ -2,6 +2,8 @@
 // of domains, whose walls decide the rest (docs/theory/domains.md).
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -29,10 +31,12 @@ struct SimplexFacts {
   // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2
   // and 3 of docs/theory/points.md.)
   bool fills_hull = false;
-  // Is it known that no point is strictly inside the ball of a simplex that has a facet of its own,
-  // if that was asked for, in space?
-  bool boundary_balls_are_empty = false;
+  // In space, if that was asked for: the simplices with a facet of their own whose balls may have a
+  // point strictly inside. It is known that no other of them has one.
+  std::optional<std::vector<std::size_t>> doubtful_balls = {};
   Stages stages = {};  // what decided the signs
+
+  bool boundary_balls_are_empty() const { return doubtful_balls && doubtful_balls->empty(); }
 };
 
 // Which facts are wanted.

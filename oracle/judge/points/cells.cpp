@@ -108,16 +108,27 @@ void for_each_face(Key cell, std::size_t size, Simplex& face, const Visit& visit
 // Listed faces, and which of them are known to be faces of a larger cell.
 class Faces {
  public:
-  Faces(const CellList& faces, std::size_t points) : index_(faces, points), covered_(faces.size()) {
-    for (std::size_t i = 0; i < faces.size(); ++i) sizes_.insert(faces[i].size());
+  Faces(const CellList& faces, std::size_t points)
+      : index_(faces, points), covered_(faces.size()), has_face_(points, false) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      sizes_.insert(faces[i].size());
+      for (const Vertex v : faces[i]) {
+        if (is_point(v)) has_face_[static_cast<std::size_t>(v)] = true;
+      }
+    }
   }
 
   // All faces of the cell from its edges on, and the cell itself.
   void cover(Key cell) {
-    Simplex face;
+    // Most cells have few vertices that are in a face, and then few faces to be looked up.
+    Simplex own, face;
+    for (const Vertex v : cell) {
+      if (!is_point(v) || has_face_[static_cast<std::size_t>(v)]) own.push_back(v);
+    }
+    std::sort(own.begin(), own.end());
     for (const std::size_t size : sizes_) {
-      if (size > cell.size() || (size < 2 && size != cell.size())) continue;
-      for_each_face(cell, size, face, [this](Key one) {
+      if (size > own.size() || (size < 2 && size != cell.size())) continue;
+      for_each_face(own, size, face, [this](Key one) {
         const std::size_t place = index_.find(one);
         if (place != kNone) covered_[place] = true;
       });
@@ -127,15 +138,20 @@ class Faces {
   Key key(std::size_t face) const { return index_.key(face); }
 
  private:
+  bool is_point(Vertex v) const { return v >= 0 && static_cast<std::size_t>(v) < has_face_.size(); }
+
   Index index_;
   std::set<std::size_t> sizes_;
-  std::vector<bool> covered_;  // by the place of the first of equal faces
+  std::vector<bool> covered_;   // by the place of the first of equal faces
+  std::vector<bool> has_face_;  // of each point
 };
 
 }  // namespace
 
-void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_t points) {
-  if (faces.empty()) return;
+CellList dangling_faces(const std::vector<Simplex>& faces, const EachCell& each_cell,
+                        std::size_t points) {
+  CellList dangling;
+  if (faces.empty()) return dangling;
   std::vector<std::size_t> largest_first(faces.size());
   std::iota(largest_first.begin(), largest_first.end(), std::size_t{0});
   std::stable_sort(
@@ -144,18 +160,16 @@ void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_
   CellList listed;
   for (const std::size_t i : largest_first) listed.add(faces[i]);
   Faces known(listed, points);
-  Simplex key;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  each_cell([&known](Key cell) {
     end_if_interrupted();
-    key.assign(cells[i].begin(), cells[i].end());
-    std::sort(key.begin(), key.end());
-    known.cover(key);
-  }
+    known.cover(cell);
+  });
   for (std::size_t i = 0; i < listed.size(); ++i) {
     if (known.is_covered(i)) continue;
     known.cover(known.key(i));
-    cells.add(listed[i]);
+    dangling.add(listed[i]);
   }
+  return dangling;
 }
 
 CellDifference difference_of_cells(const CellList& a, const CellList& b,
@@ -232,7 +246,10 @@ std::vector<Vertex> matched(const PointSet& points, const std::map<WeightedPoint
 CellList cells_of(const ExactMesh& mesh) {
   CellList cells;
   for (const Simplex& simplex : mesh.simplices) cells.add(simplex);
-  add_dangling(cells, mesh.faces, mesh.points.size());
+  const auto each_simplex = [&mesh](const auto& visit) {
+    for (const Simplex& simplex : mesh.simplices) visit(simplex);
+  };
+  cells.add_all(dangling_faces(mesh.faces, each_simplex, mesh.points.size()));
   return cells;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,14 +21,13 @@ class CellList {
     return std::span(vertices_).subspan(begin, ends_[i] - begin);
   }
 
-  void reserve(std::size_t cells, std::size_t vertices) {
-    ends_.reserve(cells);
-    vertices_.reserve(vertices);
-  }
   template <class Range>
   void add(const Range& cell) {
     vertices_.insert(vertices_.end(), cell.begin(), cell.end());
     ends_.push_back(vertices_.size());
+  }
+  void add_all(const CellList& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) add(cells[i]);
   }
 
  private:
@@ -35,10 +35,13 @@ class CellList {
   std::vector<Vertex> vertices_;
 };
 
-// Adds those of the faces that are faces of no cell added so far: they are in the complex by
-// themselves. A face that is listed twice, as from the two tetrahedra beside it, is one face.
-// `points`: how many there are.
-void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_t points);
+// Calls `visit(cell)` for each cell of a mesh.
+using EachCell = std::function<void(const std::function<void(std::span<const Vertex>)>& visit)>;
+
+// Those of the faces that are faces of no cell: they are in the complex by themselves. A face that
+// is listed twice, as from the two tetrahedra beside it, is one face. `points`: how many there are.
+CellList dangling_faces(const std::vector<Simplex>& faces, const EachCell& each_cell,
+                        std::size_t points);
 
 // The cells that one list has and the other lacks, each in its order.
 struct CellDifference {

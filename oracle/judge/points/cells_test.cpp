@@ -82,12 +82,18 @@ TEST_CASE("random lists: vertices that name nothing, cells listed twice, cells o
 }
 
 TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
-  CellList cells = cells_of_lists({{0, 1, 2, 3}});
-  add_dangling(cells, {{4, 3}, {2, 1}, {3, 2, 1}, {3, 4, 5}, {5, 4}, {5, 4, 3}, {6, 5}, {5, 6}}, 7);
-  CHECK(lists_of(cells) == std::vector<Simplex>{{0, 1, 2, 3}, {3, 4, 5}, {6, 5}});
-  CellList none;
-  add_dangling(none, {{9, 1}, {1, 9}, {-3, 1}}, 2);
-  CHECK(lists_of(none) == std::vector<Simplex>{{9, 1}, {-3, 1}});
+  const auto one_cell = [](const auto& visit) { visit(Simplex{3, 1, 0, 2}); };
+  CHECK(lists_of(dangling_faces(
+            {{4, 3}, {2, 1}, {3, 2, 1}, {3, 4, 5}, {5, 4}, {5, 4, 3}, {6, 5}, {5, 6}}, one_cell,
+            7)) == std::vector<Simplex>{{3, 4, 5}, {6, 5}});
+  const auto no_cell = [](const auto&) {};
+  CHECK(lists_of(dangling_faces({{9, 1}, {1, 9}, {-3, 1}}, no_cell, 2)) ==
+        std::vector<Simplex>{{9, 1}, {-3, 1}});
+  // A lone vertex is no face of a cell, but a cell of one vertex is that vertex.
+  CHECK(dangling_faces({{3}}, one_cell, 7).size() == 1);
+  CHECK(dangling_faces(
+            {{3}}, [](const auto& visit) { visit(Simplex{3}); }, 7)
+            .size() == 0);
 }
 
 // Two meshes are the same complex, or the differences are named.
