@@ -17,4 +17,3 @@ std::optional<std::int64_t> to_int64(const Integer& value) {
 }
 
 }  // namespace circumspect
-
