@@ -35,6 +35,8 @@ while IFS=$'\t' read -r mesh domain claim verdict; do
   found=$("$verified" "$scratch/certificate" "${own[@]}") || true
   if [ "$verdict" = holds ]; then
     expected="verified: $claim, *; domain: *, plc, *"
+    # The theorem about complexes does not speak of what dangles.
+    if [[ "$(head -n 1 "$scratch/certificate")" == *" dangling" ]]; then expected="verified: $claim, *; domain: *"; fi
     accepted=$((accepted + 1))
   else
     rule=${found#"verified: not ${claim%% *}, "}

@@ -142,15 +142,15 @@ def test_a_limit_ends_a_long_check():
 @pytest.mark.parametrize("long_call", [
     "circumspect.check(LONG, FAN, 'triangulation', by='definition')",
     "circumspect.delaunay(MANY)",
-    "circumspect.certify(circumspect.generate('uniform', points=9000, dimension=7), "
-    "numpy.arange(9000 - 8)[:, None] + numpy.arange(8))"])
+    "circumspect.certify(HIGH, numpy.arange(20000 - 8)[:, None] + numpy.arange(8))"])
 def test_an_interrupt_ends_a_long_call(long_call):
     program = (
         "import circumspect, numpy, os, signal, threading, time\n"
         "LONG = numpy.array([[i, i * i] for i in range(2000)], dtype=float)\n"
         "FAN = numpy.array([[0, i - 1, i] for i in range(2, 2000)])\n"
         "MANY = numpy.random.default_rng(1).random((150000, 3))\n"
-        "threading.Timer(1, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+        "HIGH = numpy.random.default_rng(1).random((20000, 7))\n"
+        "threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
         "begin = time.monotonic()\n"
         f"try:\n    {long_call}\n"
         "except KeyboardInterrupt:\n    print('interrupted after', time.monotonic() - begin)\n"
