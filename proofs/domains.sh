@@ -75,16 +75,17 @@ found=$(ulimit -t 8 && "$verified" "$scratch/certificate" "$scratch"/two-rooms.1
 [[ "$found" == "verified: steiner-triangulation, "*"domain: enclosed, plc, 12 vertices, "* ]] || { echo "many polygons: found '$found'" >&2; exit 1; }
 # What is around a mesh may have points that are nobody's. They are none of the mesh, and its own
 # are not these.
-own=(tetgen/l-prism.1.node tetgen/l-prism.1.ele l-prism.poly)
-"$circumspect" certify "${own[1]}" --domain "${own[2]}" --quiet -o "$scratch/certificate"
+own=(accept/one-triangle-in-space.{node,ele,poly})
+"$circumspect" certify "${own[1]}" --domain "${own[2]}" --domain-kind enclosed --claim plc-triangulation --quiet \
+  -o "$scratch/certificate"
 grep -q ' -$' <(sed -n '/^points/,/^simplices/p' "$scratch/certificate")
-for mutant in 's/^$//=verified: cdt, 12 points, *' \
-  '1,/^simplices/s/ -$/ 99/=rejected: another mesh, *: expected 13 points, found 12' \
-  '1,/^simplices/s/ 3$/ -/=rejected: another mesh, *: found point 3, which the certificate does not list'; do
+for mutant in 's/^$//=verified: plc-triangulation, 3 points, *' \
+  '1,/^simplices/s/ -$/ 99/=rejected: another mesh, *: expected 4 points, found 3' \
+  '1,/^simplices/s/ 2$/ -/=rejected: another mesh, *: found point 2, which the certificate does not list'; do
   sed "${mutant%%=*}" "$scratch/certificate" >"$scratch/mutant"
   found=$("$verified" "$scratch/mutant" "${own[@]}") || true
   # shellcheck disable=SC2053  # a pattern
-  [[ "$found" == ${mutant#*=} ]] || { echo "l-prism with ${mutant%%=*}: expected '${mutant#*=}', found '$found'" >&2; exit 1; }
+  [[ "$found" == ${mutant#*=} ]] || { echo "one triangle with ${mutant%%=*}: expected '${mutant#*=}', found '$found'" >&2; exit 1; }
 done
 # Triangles in space without a tetrahedron dangle, also where they stand in MESH.ele.
 printf '4 3\n0 0 0 0\n1 3 0 0\n2 0 3 0\n3 0 0 3\n' >"$scratch/open.node"

@@ -200,7 +200,7 @@ def test_other_threads_change_the_arrays():
     """A copy is judged: the verdict is about some state of the array, and the process survives."""
     program = (
         "import circumspect, numpy, scipy.spatial, threading\n"
-        "points = numpy.random.default_rng(1).random((40_000, 2))\n"
+        "points = numpy.random.default_rng(1).random((8_000, 2))\n"
         "simplices = scipy.spatial.Delaunay(points).simplices.copy()\n"
         "views, kept, ended = (points[:], simplices[:]), simplices.copy(), threading.Event()\n"
         "def disturb():\n"

@@ -38,7 +38,7 @@ ARROWS = {
     "oracle/formats/bytes": ["oracle/model", "platform"],
     "oracle/formats": ["oracle/formats/bytes"],
     "oracle/judge/definition": ["oracle/model"],
-    "oracle/judge/complex": ["oracle/judge/definition"],
+    "oracle/judge/complex": ["oracle/judge/definition", "oracle/judge/fast/predicates"],
     "oracle/judge/convex_hull": ["oracle/judge/complex"],
     "oracle/judge/surface": ["oracle/judge/complex"],
     "oracle/judge/voronoi": ["oracle/judge/definition"],

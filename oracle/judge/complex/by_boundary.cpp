@@ -101,9 +101,10 @@ std::vector<std::size_t> improper_facets(const Configuration& points,
   Places found;
   const std::vector<Box> boxes = CellBoxes(positions).of(facets);
   const BoxIndex tree(boxes);
+  const OrientationSigns orientation(points);
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const std::size_t j : tree.meeting(boxes[i])) {
-      if (j <= i || carriers(points, facets[i], facets[j]).are_proper()) continue;
+      if (j <= i || carriers(orientation, facets[i], facets[j]).are_proper()) continue;
       found.push_back(i);
       found.push_back(j);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <optional>
 
 #include "kernel/predicates/orientation.hpp"
@@ -24,26 +25,32 @@ Parted parted(const Simplex& a, const Simplex& b) {
   return parts;
 }
 
-Axes axes_of_both(const Configuration& points, const Simplex& a, const Parted& parts) {
-  const std::size_t d = points.ambient_dimension();
-  if (a.size() == d + 1) {
-    Axes all(d);
-    for (std::size_t axis = 0; axis < d; ++axis) all[axis] = axis;
-    return all;
-  }
+// The axes of what both span together.
+Axes axes_of_both(const OrientationSigns& orientation, const Simplex& a, const Parted& parts) {
+  Axes all(orientation.points().ambient_dimension());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (a.size() == all.size() + 1) return all;
   Simplex together = a;
+  if (a.size() == all.size()) {
+    together.push_back(0);
+    for (const Vertex v : parts.only_b) {
+      together.back() = v;
+      if (orientation(all, together) != 0) return all;
+    }
+    together.pop_back();
+  }
   together.insert(together.end(), parts.only_b.begin(), parts.only_b.end());
-  return axes_of(points, together);
+  return axes_of(orientation.points(), together);
 }
 
 // The faces in the hyperplane through these vertices, if it separates the simplices and does not
 // hold both. `plane` has room for one vertex more, which is the last.
-std::optional<Carriers> faces_in(const Configuration& points, const Axes& axes, Simplex& plane,
-                                 const Parted& parts) {
+std::optional<Carriers> faces_in(const OrientationSigns& orientation, const Axes& axes,
+                                 Simplex& plane, const Parted& parts) {
   Carriers faces{parts.common, parts.common};
   const auto side_of = [&](Vertex v) {
     plane.back() = v;
-    return orientation(points, axes, plane);
+    return orientation(axes, plane);
   };
   int side_of_a = 0;
   for (const Vertex v : parts.only_a) {
@@ -66,7 +73,7 @@ std::optional<Carriers> faces_in(const Configuration& points, const Axes& axes, 
 }
 
 // A hyperplane that separates them has all common vertices.
-std::optional<Carriers> separated(const Configuration& points, const Axes& axes,
+std::optional<Carriers> separated(const OrientationSigns& orientation, const Axes& axes,
                                   const Parted& parts) {
   Simplex others = parts.only_a;
   others.insert(others.end(), parts.only_b.begin(), parts.only_b.end());
@@ -75,18 +82,18 @@ std::optional<Carriers> separated(const Configuration& points, const Axes& axes,
     Simplex plane = parts.common;
     for (const Vertex place : chosen) plane.push_back(others[static_cast<std::size_t>(place)]);
     plane.push_back(plane.front());
-    if (auto faces = faces_in(points, axes, plane, parts)) return faces;
+    if (auto faces = faces_in(orientation, axes, plane, parts)) return faces;
   } while (next_subset(chosen, others.size()));
   return std::nullopt;
 }
 
 }  // namespace
 
-Carriers carriers(const Configuration& points, Simplex a, Simplex b) {
+Carriers carriers(const OrientationSigns& orientation, Simplex a, Simplex b) {
   while (!a.empty() && !b.empty()) {
     const Parted parts = parted(a, b);
     if (parts.only_a.empty() || parts.only_b.empty()) return {parts.common, parts.common};
-    const auto faces = separated(points, axes_of_both(points, a, parts), parts);
+    const auto faces = separated(orientation, axes_of_both(orientation, a, parts), parts);
     if (!faces) return {a, b};
     a = faces->of_a;
     b = faces->of_b;

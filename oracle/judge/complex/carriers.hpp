@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
-#include "kernel/predicates/configuration.hpp"
+#include "oracle/judge/complex/orientation_signs.hpp"
 
 namespace circumspect::check {
 
@@ -21,6 +21,6 @@ struct Carriers {
 // in it: of the hyperplanes that separate them, these are the extreme ones. What they have in
 // common is in it, and so in the faces of theirs that are: these are asked next.
 // Requires: both ascending, each affinely independent, no two of their points equal.
-Carriers carriers(const Configuration& points, Simplex a, Simplex b);
+Carriers carriers(const OrientationSigns& orientation, Simplex a, Simplex b);
 
 }  // namespace circumspect::check

@@ -9,9 +9,19 @@ namespace {
 std::pair<Simplex, Simplex> meeting(const std::vector<Point>& points, const Simplex& a,
                                     const Simplex& b) {
   const Configuration configuration(points);
-  const Carriers there = carriers(configuration, a, b), back = carriers(configuration, b, a);
+  const OrientationSigns orientation(configuration);
+  const Carriers there = carriers(orientation, a, b), back = carriers(orientation, b, a);
   CHECK(there.of_a == back.of_b);
   CHECK(there.of_b == back.of_a);
+  // Thirds are not doubles: the same by the predicates of the kernel.
+  std::vector<Point> thirds = points;
+  for (Point& p : thirds) {
+    for (Rational& x : p) x /= 3;
+  }
+  const Configuration scaled(thirds);
+  const Carriers exactly = carriers(OrientationSigns(scaled), a, b);
+  CHECK(exactly.of_a == there.of_a);
+  CHECK(exactly.of_b == there.of_b);
   return {there.of_a, there.of_b};
 }
 

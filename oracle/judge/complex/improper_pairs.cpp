@@ -17,22 +17,22 @@ using definition::ImproperPairs;
 
 // Do the relative interiors of two faces without a common vertex meet in one point, and none of
 // smaller faces?
-bool meet_in_one_point(const Configuration& points, const Simplex& f, const Simplex& g) {
+bool meet_in_one_point(const OrientationSigns& orientation, const Simplex& f, const Simplex& g) {
   for (const Vertex v : f) {
     if (contains(g, v)) return false;
   }
-  const Carriers both = carriers(points, f, g);
+  const Carriers both = carriers(orientation, f, g);
   if (both.of_a != f || both.of_b != g) return false;
   Simplex all = f;
   all.insert(all.end(), g.begin(), g.end());
-  return axes_of(points, all).size() + 2 == all.size();
+  return axes_of(orientation.points(), all).size() + 2 == all.size();
 }
 
 class Pairs {
  public:
   Pairs(const Configuration& points, const definition::ListedComplex& listed,
         const definition::SetApart& apart, const std::vector<std::size_t>& among)
-      : points_(points), sorted_(apart.merged.size()) {
+      : orientation_(points), sorted_(apart.merged.size()) {
     std::vector<Simplex> compared;
     for (const std::size_t s : apart.compared) {
       sorted_[s] = sorted(apart.merged[s]);
@@ -72,7 +72,7 @@ class Pairs {
   static constexpr std::size_t kMostOverlaps = 50'000;
 
   void compare(std::size_t i, std::size_t j) {
-    const Carriers both = carriers(points_, sorted_[i], sorted_[j]);
+    const Carriers both = carriers(orientation_, sorted_[i], sorted_[j]);
     if (both.are_proper()) return;
     if (both.of_a == sorted_[i] && both.of_b == sorted_[j]) {
       pairs_.overlaps.push_back({i, j});
@@ -83,7 +83,7 @@ class Pairs {
     std::vector<CrossingFaces> of_pair;
     for (const Simplex& f : faces(both.of_a)) {
       for (const Simplex& g : faces(both.of_b)) {
-        if (!meet_in_one_point(points_, f, g)) continue;
+        if (!meet_in_one_point(orientation_, f, g)) continue;
         if (f.size() == 1) hanging_.insert({f.front(), g});
         if (g.size() == 1) hanging_.insert({g.front(), f});
         hangs |= f.size() == 1 || g.size() == 1;
@@ -115,7 +115,7 @@ class Pairs {
     return false;
   }
 
-  const Configuration& points_;
+  const OrientationSigns orientation_;
   std::vector<Simplex> sorted_;
   std::map<Vertex, std::vector<std::size_t>> at_vertex_, flat_at_vertex_;
   ImproperPairs pairs_;
