@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "command/output/output.hpp"
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/formats/json.hpp"
