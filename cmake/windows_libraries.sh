@@ -13,22 +13,12 @@ machine=x86_64-w64-mingw32
 jobs=${JOBS:-$(nproc)}
 cmp -s "$script" "$folder/.complete" && exit 0
 rm -rf "${folder:?}"/{sources,include,lib,.complete}
-mkdir -p "$folder"/{sources,include,lib,apt/lists/partial,apt/archives/partial}
+mkdir -p "$folder"/{sources,include,lib}
 : >"$log"
 trap 'status=$?; if [ $status -ne 0 ]; then tail -n 30 "$log"; echo "cmake/windows_libraries.sh failed; $log has it all"; fi >&2' EXIT
 
-# Debian's sources, by a list of our own: most systems have no line deb-src, and need not get one.
-release=$(. /etc/os-release && echo "$VERSION_CODENAME")
-printf 'deb-src http://deb.debian.org/debian %s main\n' "$release" >"$folder/apt/sources.list"
-apt=(apt-get -q -o Acquire::Retries=3 -o Dir::Etc::sourcelist="$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
-     -o Dir::State::lists="$folder/apt/lists" -o Dir::Cache="$folder/apt" -o APT::Sandbox::User="$(id -un)")
 echo "fetching the sources of GMP, MPFR, pugixml and CaDiCaL from Debian"
-"${apt[@]}" update >>"$log" 2>&1
-(cd "$folder/sources" && "${apt[@]}" source --download-only gmp mpfr4 pugixml cadical) >>"$log" 2>&1
-for description in "$folder"/sources/*.dsc; do
-  name=$(basename "${description%%_*}")
-  dpkg-source --no-check -x "$description" "$folder/sources/$name" >>"$log" 2>&1
-done
+"$(dirname "$script")/debian_sources.sh" "$folder" gmp mpfr4 pugixml cadical >>"$log" 2>&1
 
 echo "compiling GMP and MPFR"
 cross=(--host=$machine --prefix="$folder" --libdir="$folder/lib" --disable-shared --enable-static CC_FOR_BUILD=gcc

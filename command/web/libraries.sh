@@ -12,23 +12,13 @@ folder=$(realpath "$1")
 log=$folder/libraries.log
 cmp -s "$here/libraries.sh" "$folder/.complete" && exit 0
 rm -rf "$folder"/{sources,include,lib,.complete}
-mkdir -p "$folder"/{sources,include,lib,apt/lists/partial,apt/archives/partial}
+mkdir -p "$folder"/{sources,include,lib}
 : >"$log"
 trap 'status=$?; if [ $status -ne 0 ]; then tail -n 30 "$log"; echo "command/web/libraries.sh failed; $log has it all"; fi >&2' EXIT
 source "$here/emscripten.sh"
 
-# Debian's sources, by a list of our own: most systems have no line deb-src, and need not get one.
-release=$(. /etc/os-release && echo "$VERSION_CODENAME")
-printf 'deb-src http://deb.debian.org/debian %s main\n' "$release" >"$folder/apt/sources.list"
-apt=(apt-get -q -o Acquire::Retries=3 -o Dir::Etc::sourcelist="$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
-     -o Dir::State::lists="$folder/apt/lists" -o Dir::Cache="$folder/apt" -o APT::Sandbox::User="$(id -un)")
 echo "fetching the sources of GMP, MPFR, zlib, pugixml and CaDiCaL from Debian"
-"${apt[@]}" update >>"$log" 2>&1
-(cd "$folder/sources" && "${apt[@]}" source --download-only gmp mpfr4 zlib pugixml cadical) >>"$log" 2>&1
-for description in "$folder"/sources/*.dsc; do
-  name=$(basename "${description%%_*}")
-  dpkg-source --no-check -x "$description" "$folder/sources/$name" >>"$log" 2>&1
-done
+"$here/../../cmake/debian_sources.sh" "$folder" gmp mpfr4 zlib pugixml cadical >>"$log" 2>&1
 
 # The compiler is told nothing of the machine that it runs on.
 cross=(--host=none --disable-shared --enable-static --prefix="$folder" CC_FOR_BUILD=gcc)

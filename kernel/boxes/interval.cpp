@@ -18,9 +18,7 @@ double lower_double(const Rational& value) {
 double upper_double(const Rational& value) { return -lower_double(-value); }
 
 Interval enclosing(const Rational& value) {
-  const double rounded = value.get_d();
-  // Most values are doubles.
-  if (std::isfinite(rounded) && exact_value(rounded) == value) return exactly(rounded);
+  if (const auto same = as_double(value)) return exactly(*same);  // most values are
   return {lower_double(value), upper_double(value)};
 }
 

@@ -15,6 +15,12 @@ Rational exact_value(double value) {
   return Rational(value);  // GMP documents this conversion as exact.
 }
 
+std::optional<double> as_double(const Rational& value) {
+  const double nearest = value.get_d();
+  if (!std::isfinite(nearest) || exact_value(nearest) != value) return std::nullopt;
+  return nearest;
+}
+
 std::size_t bit_length(const Integer& value) {
   return sign(value) == 0 ? 0 : mpz_sizeinbase(value.get_mpz_t(), 2);
 }

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -42,6 +43,8 @@ Integer to_integer(Number value) {
 
 // The exact value of a finite double. Requires: value is finite.
 Rational exact_value(double value);
+// The double that equals the value; none if the value is not one.
+std::optional<double> as_double(const Rational& value);
 
 // Number of bits of |value|; 0 for zero.
 std::size_t bit_length(const Integer& value);

@@ -130,6 +130,15 @@ TEST_CASE("ten bytes do not become a gigabyte of digits") {
   CHECK(value("1e-999999999", kDouble) == 0);
 }
 
+TEST_CASE("no double equals a third, one that has too many bits, or one that is too large") {
+  const Rational large = exact_value(0x1p1023);
+  CHECK(as_double(large) == 0x1p1023);
+  for (const Rational& value : {Rational(1, 3), Rational(1 + 1 / large), Rational(2 * large)}) {
+    CHECK(!as_double(value));
+    CHECK(!as_double(-value));
+  }
+}
+
 TEST_CASE("any double, printed with 17 digits or in hexadecimal, is read as itself") {
   CHECK(properties::holds("doubles of all magnitudes, subnormal ones too", [] {
     const auto bits = *rc::gen::arbitrary<std::uint64_t>();
@@ -141,6 +150,9 @@ TEST_CASE("any double, printed with 17 digits or in hexadecimal, is read as itse
     std::snprintf(text, sizeof text, "%a", x);
     RC_ASSERT(read_number(text, kDouble) == exact_value(x));
     RC_ASSERT(read_number(text, kDecimal) == exact_value(x));
+    RC_ASSERT(as_double(exact_value(x)) == x);
+    const Rational beside = exact_value(x) * (1 + 1 / exact_value(0x1p70));  // of too many bits
+    RC_ASSERT(x == 0 || !as_double(beside));
   }));
   CHECK(properties::holds("subnormal doubles", [] {
     const auto bits = *rc::gen::arbitrary<std::uint32_t>();

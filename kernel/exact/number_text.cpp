@@ -192,9 +192,7 @@ std::string to_string(const Integer& value) { return value.get_str(); }
 std::string to_string(const Rational& value) { return value.get_str(); }
 
 std::string to_text_of_double_or_fraction(const Rational& value) {
-  const double candidate = value.get_d();
-  const bool is_double = std::isfinite(candidate) && exact_value(candidate) == value;
-  if (is_double) return shortest(candidate);
+  if (const auto same = as_double(value)) return shortest(*same);
   // A denominator keeps an integer that is not a double from being read as the nearest one.
   return value.get_den() == 1 ? value.get_str() + "/1" : value.get_str();
 }

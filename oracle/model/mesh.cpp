@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -27,9 +26,9 @@ Numbers in_narrowest(std::size_t rows, std::size_t columns, const Number& number
   bool fits = true;
   for (std::size_t i = 0; i < rows && fits; ++i) {
     for (std::size_t j = 0; j < columns && fits; ++j) {
-      double& value = doubles.row(i)[j];
-      value = number(i, j).get_d();
-      fits = std::isfinite(value) && exact_value(value) == number(i, j);
+      const auto same = as_double(number(i, j));
+      fits = same.has_value();
+      doubles.row(i)[j] = same.value_or(0);
     }
   }
   if (fits) return doubles;

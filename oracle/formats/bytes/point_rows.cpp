@@ -1,7 +1,6 @@
 #include "oracle/formats/bytes/point_rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace circumspect::formats {
@@ -35,9 +34,8 @@ void PointRows::become_exact() {
 
 void PointRows::add(Rational number) {
   if (are_doubles_) {
-    const double nearest = number.get_d();
-    if (std::isfinite(nearest) && exact_value(nearest) == number) {
-      doubles_.push_back(nearest + 0.0);  // 0 for −0
+    if (const auto same = as_double(number)) {
+      doubles_.push_back(*same + 0.0);  // 0 for −0
       return;
     }
     become_exact();

@@ -1,6 +1,7 @@
 // Simplices that are listed more than once.
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -13,8 +14,7 @@ namespace {
 // With more simplices, the others are not judged, which would take as long as the verdict.
 constexpr std::size_t kMostJudged = 50'000;
 
-// The simplices, in their order, without those that an earlier one equals, and the first that one
-// does.
+// Each simplex once, in their order; and the first that repeats an earlier one.
 struct Once {
   IndexLists lists = {};
   Simplex repeated = {};

@@ -1,7 +1,6 @@
 #include "oracle/judge/complex/orientation_signs.hpp"
 
-#include <cmath>
-
+#include "kernel/exact/number.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 
@@ -19,9 +18,9 @@ std::vector<fast::Site<kDimension>> sites_of(const Configuration& points) {
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
       Rational exact(points.numerator(vertex, axis), points.denominator(vertex));
       exact.canonicalize();
-      const double rounded = exact.get_d();
-      if (!std::isfinite(rounded) || exact != rounded) return {};
-      sites[v].at[axis] = rounded;
+      const auto same = as_double(exact);
+      if (!same) return {};
+      sites[v].at[axis] = *same;
     }
   }
   return sites;
