@@ -155,7 +155,7 @@ class BinaryRows final : public PlyRows {
     go_on();
     const auto bits = bytes_.unsigned_integer(type.size);
     if (!bits) return ended();
-    number = as_double(*bits, type.size) + 0.0;
+    number = double_of_bits(*bits, type.size) + 0.0;
     if (std::isfinite(number)) return {};
     return fail("finite coordinates of " + what_.words(), "NaN or an infinity");
   }

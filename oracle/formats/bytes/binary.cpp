@@ -27,13 +27,13 @@ std::int64_t as_signed(std::uint64_t bits, std::size_t size) {
   return static_cast<std::int64_t>(bits << unused) >> unused;
 }
 
-double as_double(std::uint64_t bits, std::size_t size) {
+double double_of_bits(std::uint64_t bits, std::size_t size) {
   return size == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
                    : std::bit_cast<double>(bits);
 }
 
 std::optional<Rational> as_floating(std::uint64_t bits, std::size_t size) {
-  const double value = as_double(bits, size);
+  const double value = double_of_bits(bits, size);
   if (!std::isfinite(value)) return std::nullopt;
   return exact_value(value);
 }

@@ -33,7 +33,7 @@ class Bytes {
 std::int64_t as_signed(std::uint64_t bits, std::size_t size);
 
 // The IEEE number of 4 or 8 bytes.
-double as_double(std::uint64_t bits, std::size_t size);
+double double_of_bits(std::uint64_t bits, std::size_t size);
 // Its exact value; none if it is not finite.
 std::optional<Rational> as_floating(std::uint64_t bits, std::size_t size);
 
