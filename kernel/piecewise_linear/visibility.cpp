@@ -15,6 +15,7 @@
 
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect {
 namespace {
@@ -66,13 +67,11 @@ class Visibility {
     std::vector<Simplex> found;
     if (simplex_.size() == 2) return found;
     const Configuration& configuration = points().configuration();
-    const std::vector<std::size_t> axes = axes_of(configuration, simplex_);
-    const int front = orientation(configuration, axes, simplex_);
+    const std::vector<int> signs =
+        barycentric_signs(configuration, axes_of(configuration, simplex_), simplex_, v_);
     for (std::size_t i = 0; i < simplex_.size(); ++i) {
       const Simplex face = facet_opposite(simplex_, i);
-      const bool is_before_v =
-          orientation(configuration, axes, with_vertex_replaced(simplex_, i, v_)) == -front;
-      if (is_before_v && !occludes(face)) found.push_back(face);
+      if (signs[i] < 0 && !occludes(face)) found.push_back(face);
     }
     return found;
   }

@@ -5,21 +5,9 @@
 
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect {
-namespace {
-
-// The sign of the barycentric coordinate of q at vertex `place` of the simplex: the orientation
-// with q in that vertex's stead, over the simplex's own.
-int barycentric_sign(const Configuration& points, std::span<const std::size_t> axes,
-                     std::span<const Vertex> simplex, std::size_t place, Vertex q) {
-  std::vector<Vertex> replaced(simplex.begin(), simplex.end());
-  replaced[place] = q;
-  return orientation(points, axes, replaced) * orientation(points, axes, simplex);
-}
-
-}  // namespace
-
 int perturbed_in_ball(const Configuration& points, std::span<const std::size_t> axes,
                       std::span<const Vertex> simplex, Vertex q) {
   if (const int side = in_ball(points, axes, simplex, q); side != 0) return side;

@@ -14,20 +14,24 @@ bool has(std::span<const Vertex> simplex, Vertex v) {
   return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
 }
 
-// The least sign of the barycentric coordinates of v: each is the orientation of the simplex with v
-// in one vertex's place, times the simplex's own. −1 once one is negative.
-int least_barycentric_sign(const Configuration& points, std::span<const std::size_t> axes,
-                           std::span<const Vertex> simplex, Vertex v) {
+// The orientation of the simplex with v in the stead of the vertex at `place`.
+int orientation_with(const Configuration& points, std::span<const std::size_t> axes,
+                     std::span<const Vertex> simplex, std::size_t place, Vertex v) {
+  std::vector<Vertex> replaced(simplex.begin(), simplex.end());
+  replaced[place] = v;
+  return orientation(points, axes, replaced);
+}
+
+// Does v have no barycentric sign below `lowest`? Most simplices are not around v: the first such
+// sign answers.
+bool has_no_sign_below(int lowest, const Configuration& points, std::span<const std::size_t> axes,
+                       std::span<const Vertex> simplex, Vertex v) {
   const int own = orientation(points, axes, simplex);
   assert(own != 0);
-  int least = 1;
-  std::vector<Vertex> replaced(simplex.begin(), simplex.end());
-  for (std::size_t place = 0; place < simplex.size() && least >= 0; ++place) {
-    replaced[place] = v;
-    least = std::min(least, own * orientation(points, axes, replaced));
-    replaced[place] = simplex[place];
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    if (own * orientation_with(points, axes, simplex, place, v) < lowest) return false;
   }
-  return least;
+  return true;
 }
 
 using Axes = std::array<std::size_t, 2>;
@@ -54,16 +58,44 @@ bool an_edge_separates(const Configuration& points, std::span<const std::size_t>
 
 }  // namespace
 
+int barycentric_sign(const Configuration& points, std::span<const std::size_t> axes,
+                     std::span<const Vertex> simplex, std::size_t place, Vertex v) {
+  const int own = orientation(points, axes, simplex);
+  assert(own != 0);
+  return own * orientation_with(points, axes, simplex, place, v);
+}
+
+int barycentric_sign(const Configuration& points, std::span<const Vertex> simplex,
+                     std::size_t place, Vertex v) {
+  return barycentric_sign(points, points.axes(), simplex, place, v);
+}
+
+std::vector<int> barycentric_signs(const Configuration& points, std::span<const std::size_t> axes,
+                                   std::span<const Vertex> simplex, Vertex v) {
+  const int own = orientation(points, axes, simplex);
+  assert(own != 0);
+  std::vector<int> signs;
+  signs.reserve(simplex.size());
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    signs.push_back(own * orientation_with(points, axes, simplex, place, v));
+  }
+  return signs;
+}
+
+std::vector<int> barycentric_signs(const Configuration& points, std::span<const Vertex> simplex,
+                                   Vertex v) {
+  return barycentric_signs(points, points.axes(), simplex, v);
+}
+
 bool lies_in(const Configuration& points, std::span<const std::size_t> axes,
              std::span<const Vertex> simplex, Vertex v) {
   return has(simplex, v) || (is_in_hull_of(points, axes, simplex, v) &&
-                             least_barycentric_sign(points, axes, simplex, v) >= 0);
+                             has_no_sign_below(0, points, axes, simplex, v));
 }
 
 bool lies_inside(const Configuration& points, std::span<const std::size_t> axes,
                  std::span<const Vertex> simplex, Vertex v) {
-  return is_in_hull_of(points, axes, simplex, v) &&
-         least_barycentric_sign(points, axes, simplex, v) > 0;
+  return is_in_hull_of(points, axes, simplex, v) && has_no_sign_below(1, points, axes, simplex, v);
 }
 
 // The hull is the graph of affine functions over the axes: v is on it iff it is on the graph of

@@ -12,6 +12,7 @@
 //  P4 a segment that crosses another, or pierces a triangle, has just one point in common with it,
 //     which is inside both, or inside the segment and in the triangle.
 //  P5 triangles of a plane whose interiors meet have a triangle in common.
+//  P6 v has the barycentric signs of its coefficients in the affine combination of the vertices.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +22,22 @@
 #include "kernel/predicates/configuration.hpp"
 
 namespace circumspect {
+
+// The sign of the barycentric coordinate of v at the vertex at `place` of the simplex: 1 on that
+// vertex's side of the facet opposite, 0 in its hyperplane, −1 beyond. It is the orientation with v
+// in that vertex's stead, over the simplex's own. Points that are not in the simplex's affine hull
+// are seen on `axes`, a coordinate system of it. Requires: affinely independent vertices.
+int barycentric_sign(const Configuration& points, std::span<const std::size_t> axes,
+                     std::span<const Vertex> simplex, std::size_t place, Vertex v);
+// Within the affine hull of all points.
+int barycentric_sign(const Configuration& points, std::span<const Vertex> simplex,
+                     std::size_t place, Vertex v);
+
+// All of them, in the order of the vertices.
+std::vector<int> barycentric_signs(const Configuration& points, std::span<const std::size_t> axes,
+                                   std::span<const Vertex> simplex, Vertex v);
+std::vector<int> barycentric_signs(const Configuration& points, std::span<const Vertex> simplex,
+                                   Vertex v);
 
 // Does v lie in the closed simplex, or in its relative interior? `axes` are a coordinate system of
 // the simplex's affine hull. Requires: affinely independent vertices.

@@ -32,10 +32,10 @@ std::vector<Point> points_of(const Configuration& points, const std::vector<Vert
   return found;
 }
 
-// Barycentric coordinates, from a system of equations on the axes; nothing if v is not in the hull.
-std::optional<std::vector<Rational>> barycentric(const Configuration& points,
-                                                 const std::vector<std::size_t>& axes,
-                                                 const std::vector<Vertex>& simplex, Vertex v) {
+// Barycentric coordinates of v, seen on the axes, from a system of equations.
+std::vector<Rational> barycentric_on(const Configuration& points,
+                                     const std::vector<std::size_t>& axes,
+                                     const std::vector<Vertex>& simplex, Vertex v) {
   RationalMatrix rows(1, std::vector<Rational>(simplex.size(), 1));
   std::vector<Rational> right = {1};
   for (const std::size_t axis : axes) {
@@ -43,7 +43,14 @@ std::optional<std::vector<Rational>> barycentric(const Configuration& points,
     for (const Vertex u : simplex) rows.back().push_back(point_of(points, u)[axis]);
     right.push_back(point_of(points, v)[axis]);
   }
-  const std::vector<Rational> weights = *solve(rows, right);
+  return *solve(rows, right);
+}
+
+// Barycentric coordinates; nothing if v is not in the hull.
+std::optional<std::vector<Rational>> barycentric(const Configuration& points,
+                                                 const std::vector<std::size_t>& axes,
+                                                 const std::vector<Vertex>& simplex, Vertex v) {
+  const std::vector<Rational> weights = barycentric_on(points, axes, simplex, v);
   Point sum(points.ambient_dimension(), 0);
   for (std::size_t i = 0; i < simplex.size(); ++i) {
     sum = sum + weights[i] * point_of(points, simplex[i]);
@@ -188,6 +195,23 @@ TEST_CASE("P5, P3: triangles of a plane whose interiors meet have an area in com
                  3) == meet);
     }));
   }
+}
+
+TEST_CASE("P6: barycentric signs are those of the coordinates, seen on the axes") {
+  CHECK(generators::holds_for_simplices(1, 4, [](const auto& set, const auto scaling) {
+    const generators::Scene scene = generators::scene(set, scaling);
+    for (Vertex v = 0; v < static_cast<Vertex>(scene.points.size()); ++v) {
+      std::vector<int> signs;
+      for (const Rational& weight : barycentric_on(scene.points, scene.axes, scene.simplex, v)) {
+        signs.push_back(sign(weight));
+      }
+      RC_ASSERT(barycentric_signs(scene.points, scene.axes, scene.simplex, v) == signs);
+      for (std::size_t place = 0; place < signs.size(); ++place) {
+        RC_ASSERT(barycentric_sign(scene.points, scene.axes, scene.simplex, place, v) ==
+                  signs[place]);
+      }
+    }
+  }));
 }
 
 TEST_CASE("place: worked examples in dimensions beyond three") {

@@ -93,11 +93,8 @@ class VertexInsertion {
     for (const Simplex& tetrahedron : cdt_.tetrahedra.simplices()) {
       for (std::size_t place = 0; place < tetrahedron.size(); ++place) {
         const Simplex facet = facet_opposite(tetrahedron, place);
-        const Simplex replaced = with_vertex_replaced(tetrahedron, place, v_);
-        const bool is_beyond = orientation(points_.configuration(), tetrahedron) *
-                                   orientation(points_.configuration(), replaced) <
-                               0;
-        if (is_beyond && is_on_hull(points_, cdt_, facet)) return true;
+        const int side = barycentric_sign(points_.configuration(), tetrahedron, place, v_);
+        if (side < 0 && is_on_hull(points_, cdt_, facet)) return true;
       }
     }
     return false;

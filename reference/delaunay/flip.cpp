@@ -13,6 +13,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/star_index.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect::delaunay {
 namespace {
@@ -24,17 +25,13 @@ struct RadonPartition {
 };
 
 // apex = Σ_i λ_i p_i with the barycentric coordinates λ is the dependence: the apex has coefficient
-// −1 and vertex i has λ_i, whose sign is the orientation with the apex in that vertex's stead over
-// the simplex's own. Where λ_i is zero, vertex i takes no part.
+// −1 and vertex i has λ_i. Where λ_i is zero, vertex i takes no part.
 RadonPartition radon_partition(const PointSet& points, const Simplex& simplex, Vertex apex) {
-  const int own = orientation(points.configuration(), simplex);
-  assert(own != 0);
+  const std::vector<int> signs = barycentric_signs(points.configuration(), simplex, apex);
   RadonPartition parts{{apex}, {}};
   for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const int coefficient =
-        own * orientation(points.configuration(), with_vertex_replaced(simplex, place, apex));
-    if (coefficient < 0) parts.with_apex.push_back(simplex[place]);
-    if (coefficient > 0) parts.against_apex.push_back(simplex[place]);
+    if (signs[place] < 0) parts.with_apex.push_back(simplex[place]);
+    if (signs[place] > 0) parts.against_apex.push_back(simplex[place]);
   }
   return parts;
 }

@@ -8,28 +8,21 @@
 #include "kernel/complex/star_index.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "kernel/predicates/in_ball.hpp"
-#include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/flip_algorithm.hpp"
 
 namespace circumspect::delaunay {
 namespace {
 
-// On which side of the facet opposite a vertex does u lie? 1: the vertex's side; −1: beyond the
-// facet; 0: on it. The sign of the barycentric coordinate of u at that vertex.
-int side_of_facet(const PointSet& points, const Simplex& simplex, std::size_t place, Vertex u) {
-  return orientation(points.configuration(), simplex) *
-         orientation(points.configuration(), with_vertex_replaced(simplex, place, u));
-}
-
 // The face of the simplex whose relative interior holds u; nothing if u is outside the simplex.
 std::optional<Simplex> face_holding(const PointSet& points, const Simplex& simplex, Vertex u) {
   Simplex face;
+  const std::vector<int> signs = barycentric_signs(points.configuration(), simplex, u);
   for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const int side = side_of_facet(points, simplex, place, u);
-    if (side < 0) return std::nullopt;
-    if (side > 0) face.push_back(simplex[place]);
+    if (signs[place] < 0) return std::nullopt;
+    if (signs[place] > 0) face.push_back(simplex[place]);
   }
   return face;
 }
@@ -46,8 +39,9 @@ std::vector<Simplex> cone_over_visible_hull_facets(const PointSet& points,
                                                    const StarIndex& triangulation, Vertex u) {
   std::vector<Simplex> cone;
   for (const Simplex& simplex : triangulation.simplices()) {
+    const std::vector<int> signs = barycentric_signs(points.configuration(), simplex, u);
     for (std::size_t place = 0; place < simplex.size(); ++place) {
-      if (side_of_facet(points, simplex, place, u) >= 0) continue;
+      if (signs[place] >= 0) continue;
       const Simplex facet = facet_opposite(simplex, place);
       if (triangulation.star(facet).size() == 1) cone.push_back(join(facet, {u}));
     }

@@ -11,6 +11,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "reference/optimality/criteria.hpp"
 
 namespace circumspect::optimality {
@@ -36,11 +37,9 @@ struct Location {
 
 Location locate(const PointSet& points, const Simplex& simplex, Vertex q) {
   Location location;
-  const int whole = orientation(points.configuration(), simplex);
-  for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const int part = orientation(points.configuration(), with_vertex_replaced(simplex, place, q));
-    if (part == 0) location.is_on_some_facet_hyperplane = true;
-    if (part == -whole) location.is_inside = false;
+  for (const int sign : barycentric_signs(points.configuration(), simplex, q)) {
+    if (sign == 0) location.is_on_some_facet_hyperplane = true;
+    if (sign < 0) location.is_inside = false;
   }
   return location;
 }

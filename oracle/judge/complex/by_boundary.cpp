@@ -8,6 +8,7 @@
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/complex/carriers.hpp"
 
 namespace circumspect::check {
@@ -136,11 +137,10 @@ bool has_just_outside(const std::vector<Point>& simplex, const std::vector<Point
   const Configuration points(few);
   const Simplex own = first_subset(simplex.size());
   const auto middle = static_cast<Vertex>(simplex.size());
-  const int inner = orientation(points, own);
+  const std::vector<int> of_middle = barycentric_signs(points, own, middle);
+  const std::vector<int> of_apex = barycentric_signs(points, own, middle + 1);
   for (std::size_t place = 0; place < own.size(); ++place) {
-    int side = orientation(points, with_vertex_replaced(own, place, middle));
-    if (side == 0) side = -orientation(points, with_vertex_replaced(own, place, middle + 1));
-    if (side * inner < 0) return false;
+    if (of_middle[place] < 0 || (of_middle[place] == 0 && of_apex[place] > 0)) return false;
   }
   return true;
 }

@@ -6,7 +6,6 @@
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/predicates/in_ball.hpp"
-#include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/definition/periodic_delaunay.hpp"
 #include "oracle/judge/periodic/periodic_facets.hpp"
@@ -70,10 +69,9 @@ class PeriodicJudge {
       return;
     }
     const Simplex& own = mesh_.simplices[group[0].cell];
-    const Simplex replaced =
-        with_vertex_replaced(own, group[0].opposite, apex_across(group[0], group[1]));
+    const Vertex apex = apex_across(group[0], group[1]);
     const Configuration& points = mesh_.points.configuration();
-    if (orientation(points, own) * orientation(points, replaced) < 0) return;
+    if (barycentric_sign(points, own, group[0].opposite, apex) < 0) return;
     has_unmatched_ = true;
     witness.values = definition::shift_in_words(difference(group[0].moved, group[1].moved));
     verdict_.add(Rule::kOverlap, witness);

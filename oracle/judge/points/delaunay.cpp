@@ -11,8 +11,8 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/triple.hpp"
 #include "kernel/predicates/in_ball.hpp"
-#include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 #include "oracle/model/witnesses.hpp"
@@ -92,11 +92,10 @@ namespace {
 // triangulations might omit a vertex of W").
 std::optional<Vertex> submerged_vertex(const PointSet& points, const Simplex& simplex, Vertex q) {
   if (!points.is_weighted()) return std::nullopt;
-  const int own = orientation(points.configuration(), simplex);
+  const std::vector<int> signs = barycentric_signs(points.configuration(), simplex, q);
   std::optional<Vertex> only;
   for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const Simplex replaced = with_vertex_replaced(simplex, place, q);
-    if (orientation(points.configuration(), replaced) * own <= 0) continue;
+    if (signs[place] <= 0) continue;
     if (only) return std::nullopt;
     only = simplex[place];
   }
@@ -152,10 +151,6 @@ class Located {
       : mesh_(mesh),
         row_size_(mesh.simplices.front().size()),
         across_(mesh.simplices.size() * row_size_, kNoSimplex) {
-    own_.reserve(mesh.simplices.size());
-    for (const Simplex& simplex : mesh.simplices) {
-      own_.push_back(orientation(mesh.points.configuration(), simplex));
-    }
     for (const auto group : ByFacet(uses)) {
       if (group.size() != 2) continue;
       across_[group[0].simplex * row_size_ + group[0].opposite] = group[1].simplex;
@@ -170,9 +165,8 @@ class Located {
     return static_cast<std::size_t>(mesh_.simplices[s][place]);
   }
   int side(std::size_t s, std::size_t place, std::size_t point) const {
-    const Simplex moved =
-        with_vertex_replaced(mesh_.simplices[s], place, static_cast<Vertex>(point));
-    return orientation(mesh_.points.configuration(), moved) * own_[s];
+    return barycentric_sign(mesh_.points.configuration(), mesh_.simplices[s], place,
+                            static_cast<Vertex>(point));
   }
   std::size_t across(std::size_t s, std::size_t place) const {
     return across_[s * row_size_ + place];
@@ -182,7 +176,6 @@ class Located {
   const ExactMesh& mesh_;
   std::size_t row_size_;
   std::vector<std::size_t> across_;  // the facet opposite each vertex of each simplex
-  std::vector<int> own_;             // the orientation of each simplex
 };
 
 // The first in the list of all simplices that contain a point: a point on a face is in several, and

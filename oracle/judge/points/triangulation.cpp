@@ -10,6 +10,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/model/witnesses.hpp"
 
@@ -146,10 +147,8 @@ Vertex vertex_beyond(const ExactMesh& mesh, const BoundaryFacet& facet,
 
 // Is the sample point in the closed simplex?
 bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) {
-  const int own = orientation(points, simplex);
-  return conditions::covers(simplex.size(), [&](std::size_t place) {
-    return own * orientation(points, with_vertex_replaced(simplex, place, sample));
-  });
+  const std::vector<int> signs = barycentric_signs(points, simplex, sample);
+  return conditions::covers(signs.size(), [&](std::size_t place) { return signs[place]; });
 }
 
 }  // namespace
