@@ -160,7 +160,7 @@ def apart_in_the_plane(mesh, n):
 
 
 def room_walls(n, rooms, is_mirrored):
-    """Triangles of the walls of some rooms, of which those of the wall between have their diagonals in one of two ways."""
+    """Triangles of the walls of some rooms; those of the wall between have their diagonals in one of two ways."""
     corners, triangles = {}, []
 
     def add(wall, mirrored=False):

@@ -215,7 +215,7 @@ std::vector<Fault> faults() {
          const std::vector<std::int32_t> again(row_in(a, 1, 3), row_in(a, 1, 3) + 4);
          a.simplices.insert(a.simplices.end(), again.begin(), again.end());
        }},
-      {"a point that is no vertex",
+      {"a point that is not a vertex",
        [](Arrays& a) {
          a.coordinates.insert(a.coordinates.end(), {0.5, 0.5, 0.5});
        }},

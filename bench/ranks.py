@@ -102,7 +102,7 @@ def fitted(shapes, values):
 
 def print_model(name, of_ranks, size):
     """What a rank has: so much, and so much a tetrahedron. What all send: so much a tetrahedron that does not stay, and so much
-    a facet on the borders of parts and of the mesh, of which there are about size^(2/3) P^(1/3)."""
+    a facet on the borders of parts and of the mesh; there are about size^(2/3) P^(1/3) of these."""
     if len(of_ranks) < 3:
         return
     process, each = fitted([[1, size / ranks] for ranks in of_ranks], [memory for memory, _ in of_ranks.values()])

@@ -59,7 +59,7 @@ def write_bumpy_sphere(path, fineness):
 
 
 def write_moved(mesh, moved, share):
-    """A copy of a mesh of which a share of the vertices are moved by an ulp in each coordinate, or not."""
+    """A copy of a mesh with a share of its vertices moved by an ulp in each coordinate, or not."""
     dice = random.Random(1)
     lines = []
     for line in mesh.with_suffix(".node").read_text().splitlines():

@@ -77,7 +77,7 @@ void take_polygon_holes(const circumspect_domain& domain, std::vector<PolygonLin
   }
 }
 
-// In the plane polygons are no cells of the complex: their edges are.
+// In the plane polygons are not cells of the complex: their edges are.
 std::vector<PolygonLines> taken_for_rings(PiecewiseLinearInput& input) {
   for (const PolygonLines& polygon : input.polygons) {
     for (const std::vector<Vertex>& ring : polygon.lines) {
@@ -179,7 +179,7 @@ DomainKind kind_of(const PiecewiseLinearComplex& complex, std::int32_t asked) {
   if (walls(complex).empty()) return DomainKind::kHull;
   refuse_input(
       "expected walls that enclose something, found some that enclose nothing: close the gap, or "
-      "say of which kind the domain is, enclosed or hull");
+      "say which kind of domain it is, enclosed or hull");
 }
 
 // A point in each region that is enclosed and not filled.

@@ -89,7 +89,7 @@ circumspect_status status_of_exception() noexcept {
   } catch (const std::exception& error) {
     return failed(CIRCUMSPECT_INTERNAL_ERROR, error.what());
   } catch (...) {
-    return failed(CIRCUMSPECT_INTERNAL_ERROR, "something was thrown that is no std::exception");
+    return failed(CIRCUMSPECT_INTERNAL_ERROR, "something was thrown that is not a std::exception");
   }
 }
 

@@ -54,8 +54,8 @@ bool begin_independent(Sequence<kDimension>& sequence) {
 }
 
 // Rows in the order of ProvedDelaunay. A row is ascending, with the parity of its permutation
-// beside the last vertex while rows are sorted: first by their least vertex, of which few have the
-// same, then by the others.
+// beside the last vertex while rows are sorted: first by their least vertex, which few
+// have in common, then by the others.
 template <std::size_t kVertices>
 Rows<std::int32_t> in_order(const std::vector<Place>& cells,
                             const std::vector<std::int32_t>& names) {

@@ -14,7 +14,7 @@
 
 namespace circumspect::construct {
 
-// A triangulation of which the fast judge has said that it is the canonical (weighted) Delaunay
+// A triangulation that the fast judge has found to be the canonical (weighted) Delaunay
 // triangulation of its points.
 struct ProvedDelaunay {
   // Positively oriented, ascending but for the first two vertices, and in lexicographic order of
@@ -25,9 +25,9 @@ struct ProvedDelaunay {
   Triangulation triangulation() const;
 };
 
-// Of points without weights if `weights` has no rows. Nothing if some number is no double, if the
-// points are of another dimension than 2 or 3 or lie in a flat, if the machine does not compute as
-// the filters were proved for, or if there are more than a thousand million simplices: then
+// Of points without weights if `weights` has no rows. Nothing if some number is not a double, if
+// the points are of another dimension than 2 or 3 or lie in a flat, if the machine does not compute
+// as the filters were proved for, or if there are more than a thousand million simplices: then
 // reference::canonical_delaunay answers. Throws std::logic_error if the judge refutes what was
 // constructed. Requires: no equal points; one weight a point, or none.
 std::optional<ProvedDelaunay> canonical_delaunay(const Numbers& coordinates, const Numbers& weights,

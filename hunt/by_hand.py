@@ -34,7 +34,7 @@ def in_ball(simplex, point):
 
 
 def axes(one, other):
-    """Normals of which one separates two convex bodies whose interiors do not meet."""
+    """Normals, one of which separates two convex bodies whose interiors do not meet."""
     if len(one[0]) == 2:
         for body in (one, other):
             for p, q in itertools.combinations(body, 2):

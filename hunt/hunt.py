@@ -33,7 +33,7 @@ FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
 POINT_CLAIMS = {"delaunay", "triangulation", "convex-hull", "voronoi"}
 # These reserve much address space.
 VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
-# Points of which some are flat or cospherical up to this share of their extent and not exactly, or
+# Points, some of which are flat or cospherical up to this share of their extent and not exactly, or
 # that lie so far from the origin that their differences have few digits left, are "near": only
 # exact predicates avoid such faults.
 MARGIN = Fraction(1, 10 ** 9)
@@ -50,7 +50,7 @@ def targets():
 
 
 def options_and_command(row, builds):
-    """A target that is no worker has options of the campaign before its command, with ` -- ` between."""
+    """A target that is not a worker has options of the campaign before its command, with ` -- ` between."""
     os.environ["BUILDS"] = str(Path(builds).resolve())
     text = row["command"].replace("{builds}", os.environ["BUILDS"]).replace("{here}", str(HERE))
     options, found, command = text.rpartition(" -- ")

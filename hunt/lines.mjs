@@ -15,7 +15,7 @@ export const indices = points => {
 };
 /** [a, b, c, d, e, f] → [[a, b, c], [d, e, f]] */
 export const threes = flat => Array.from({ length: flat.length / 3 }, (_, i) => Array.from(flat.slice(3 * i, 3 * i + 3)));
-/** [a, b, c] → [[a, b], [b, c], [c, a]]: the edges of a hull in the plane, of which a library returns the vertices. */
+/** [a, b, c] → [[a, b], [b, c], [c, a]]: the edges of a hull in the plane whose vertices a library returns. */
 export const edges = cycle => cycle.map((v, i) => [v, cycle[(i + 1) % cycle.length]]);
 
 /** `triangulate` is given points, and returns rows of indices. What it throws ends the process with exit code 1. */

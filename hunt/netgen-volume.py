@@ -30,7 +30,7 @@ def outward(triangles, points):
         for a, b in zip(triangle, triangle[1:] + triangle[:1]):
             at[frozenset((a, b))].append((i, a))
     if not triangles or any(len(both) != 2 for both in at.values()):
-        raise Refused("the polygons are no closed surface")
+        raise Refused("the polygons are not a closed surface")
     is_turned, waiting = {0: False}, [0]
     while waiting:
         i = waiting.pop()

@@ -6,7 +6,7 @@
     propagate.py --page                         writes hunt/pages/everywhere.md from the table
 
 Each column is one campaign with `--corpus corpus/findings` and no drawn case. A cell is `holds`, `refused`, `skipped`, a signature, or `-` where
-the target does not take such an input: points of another dimension, or doubles that are no floats for a library that stores floats.
+the target does not take such an input: points of another dimension, or doubles that are not floats for a library that stores floats.
 """
 import argparse
 import os

@@ -53,7 +53,7 @@ def target_of(row):
 
 
 def numbers():
-    """A library counts once, with and without segments, and so does a fault of one signature on one library. Limitations are no faults."""
+    """A library counts once, with and without segments, and so does a fault of one signature on one library. Limitations are not faults."""
     of = {row["target"]: {**row, "library": row["library"].split(", ")[0]} for row in targets()}
     hunted = {run["target"] for run in table(RUNS, RUN_COLUMNS)}
     with_page = {row["library"] for row in of.values() if row["target"] in hunted and (PAGES / f"{row['page']}.md").exists()}

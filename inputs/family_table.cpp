@@ -45,9 +45,10 @@ std::vector<Family> generic_families() {
 
 std::vector<Family> cospherical_families() {
   return {
-      plain("grid", kAll, grid_points,
-            "part of {0, 1, 2}^d, or of a larger grid: cells that are no simplices (Book: Sections "
-            "2.9 and 4.2)"),
+      plain(
+          "grid", kAll, grid_points,
+          "part of {0, 1, 2}^d, or of a larger grid: cells that are not simplices (Book: Sections "
+          "2.9 and 4.2)"),
       plain("cube", {1, 10}, cube_points,
             "corners, centre and facet centres of a cube, or of several (Book: Section 2.9)"),
       plain(

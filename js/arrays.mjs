@@ -23,7 +23,7 @@ function refuseDetached(array, what) {
   }
 }
 
-// A part that may be left out. What is no list would look like one that is empty.
+// A part that may be left out. What is not a list would look like one that is empty.
 export function listOf(values, what) {
   refuseDetached(values, what);
   if (values === undefined || values === null) return [];
@@ -99,7 +99,7 @@ export function countOf(value, what) {
   throw new RangeError(`expected ${what} as a whole number from 0 to ${FITS - 1}, found ${shown(value)}`);
 }
 
-// Indices of points, as 32-bit or, if one of them needs it, as 64-bit integers. What is no integer is refused; an integer that
+// Indices of points, as 32-bit or, if one of them needs it, as 64-bit integers. What is not an integer is refused; an integer that
 // names no point is a fault of the mesh, which the library reports.
 export function indicesOf(values, what, columns) {
   const { all, columns: width } = flat(values, what, columns);

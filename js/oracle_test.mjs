@@ -79,7 +79,7 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
   structuredClone(gone.buffer, { transfer: [gone.buffer] });
   fails([gone, [0, 1, 2], { dimension: 2 }], TypeError, /expected points, found an array whose buffer was detached: transfer a copy/);
   fails([square, gone, { vertices: 3 }], TypeError, /expected simplices, found an array whose buffer was detached/);
-  // What is no list of segments is not a domain without segments.
+  // What is not a list of segments is not a domain without segments.
   for (const segments of [new Set([[0, 2]]), 7, gone]) {
     fails([square, halves, { domain: { points: square, segments, kind: 'hull' } }], TypeError, /expected segments/);
   }

@@ -4,7 +4,7 @@
 #   inside COMMANDS          runs them there, in /root, with no more than a login has
 #   fail TEXT
 # Needs root, debootstrap and the network; MIRROR names another mirror, BARE a root that was made
-# before, of which a copy is taken.
+# before, to be copied.
 mirror=${MIRROR:-http://deb.debian.org/debian}
 work=$(mktemp -d)
 bare=$work/root

@@ -59,7 +59,7 @@ Record certificate := Certificate {
       sample 1 2 1 3
       end
 >>
-    The last token of a point is the index that its user knows it by, which is no part of the
+    The last token of a point is the index that its user knows it by, which is not part of the
     record. [MainTheorems.v] begins with what the acceptance of this certificate says. *)
 Definition worked_triangle : certificate := Certificate Delaunay 1 2
   [PointEntry (Site [0; 0]%Z 0) 1 (Some 0%nat);

@@ -24,7 +24,7 @@ End Hull.
 (** ** Certificates, as they stand in a file
 
     The certificate of a weighted Delaunay triangulation, in which every simplex is a facet of the
-    hull and the summit, point number [k].  The summit is no point of S. *)
+    hull and the summit, point number [k].  The summit is not a point of S. *)
 Section Cones.
 Variables (d : nat) (c : certificate) (k : positive).
 

@@ -17,8 +17,7 @@ namespace circumspect::properties {
 namespace {
 
 constexpr std::size_t kPoints = 100'000;
-constexpr std::uint64_t kSeeds =
-    3;  // of each mutation, of which the exact checkers see the first mutant
+constexpr std::uint64_t kSeeds = 3;  // of each mutation; the exact checkers see its first mutant
 
 // Where `make soak` draws another seed each round.
 std::uint64_t first_seed() { return rc::detail::configuration().testParams.seed; }

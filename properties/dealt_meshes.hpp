@@ -125,7 +125,7 @@ inline std::string said_by_all(distributed::Ranks& ranks, Claim claim, distribut
   return text_of(*judged.verdict, judged.named);
 }
 
-// What parts of one process say, of which some are in files while others have their turn.
+// What parts of one process say; some are in files while others have their turn.
 inline std::string said_in_turns(Claim claim, const ArrayMesh& mesh, Way way,
                                  properties::Dice& dice, const check::Options& options,
                                  std::size_t most_parts) {

@@ -221,7 +221,7 @@ std::set<Simplex> faces_in_cells(const PiecewiseLinearComplex& complex, const Re
   return faces;
 }
 
-TEST_CASE("C2 a polyhedron left empty, or a hole filled, is no triangulation of the domain") {
+TEST_CASE("C2 a polyhedron left empty, or a hole filled, is not a triangulation of the domain") {
   std::size_t left_empty = 0, filled = 0;
   CHECK(holds("regions", 100, [&] {
     const ComplexCase one = any_domain();

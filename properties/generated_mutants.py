@@ -166,7 +166,7 @@ def build(work, chosen_mutants, targets):
                   if pathlib.PurePath(found[1]).is_relative_to(work)}
         kept = [m for m in chosen_mutants if (m.file, m.line_number) not in faulty]
         if len(kept) == len(chosen_mutants):
-            sys.exit(run.stdout[-20000:] + "\ngenerated_mutants: the sources do not compile, and that is no mutant's fault")
+            sys.exit(run.stdout[-20000:] + "\ngenerated_mutants: the sources do not compile, and that is not a mutant's fault")
         print(f"{len(chosen_mutants) - len(kept)} mutants do not compile", flush=True)
         chosen_mutants = kept
 

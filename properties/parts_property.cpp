@@ -119,7 +119,7 @@ TEST_CASE("a mesh judged in parts has the verdict of the whole") {
 }
 
 // A corner at the origin, one along each axis, and one beyond them; and a point of the first
-// simplex that is no vertex, of the weight with which it comes to lie in the witness plane.
+// simplex that is not a vertex, of the weight with which it comes to lie in the witness plane.
 ArrayMesh with_submerged_tie(const std::vector<double>& point) {
   const std::size_t d = point.size();
   ArrayMesh mesh{.dimension = d};

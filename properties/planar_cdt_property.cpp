@@ -126,7 +126,7 @@ TEST_CASE("planar CDT: fills the domain, the hull or what the segments enclose")
 
 // C1 in the plane (Lemma 4.10): (i) every triangle is constrained Delaunay, from the definition,
 // and (iii) every edge that is not a segment is locally Delaunay, under the perturbation.
-TEST_CASE("C1: in the plane, every edge that is no segment is locally Delaunay") {
+TEST_CASE("C1: in the plane, every edge that is not a segment is locally Delaunay") {
   CHECK(holds("C1, statement (iii)", 200, [] {
     const PiecewiseLinearComplex complex = assemble(*planar_inputs());
     const Configuration& points = complex.points.configuration();

@@ -17,8 +17,8 @@
 # Exit 0: the time is up and nothing failed. Exit 1: something failed; its output, its seed and the
 # command that repeats it are printed. Exit 2: wrong usage, nothing to run.
 #
-# This script is no test of ctest's: `ctest -L soak` (or `--preset soak`) runs each soak test once,
-# at its full length of some minutes, which is a long run by itself and has an end of its own.
+# This script is not a test of ctest's: `ctest -L soak` (or `--preset soak`) runs each soak test
+# once, at its full length of some minutes, which is a long run by itself and has an end of its own.
 set -uo pipefail
 
 usage() {

@@ -108,7 +108,7 @@ TEST_CASE("D10 the canonical vertices are the vertices of the subdivision (Secti
   for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);
     std::size_t not_extreme = 0;
-    CHECK(holds("points on the lower hull that are not extreme are no vertices", 300, [&] {
+    CHECK(holds("points on the lower hull that are not extreme are not vertices", 300, [&] {
       const PointSet points = any_labelled_set(d, 10);
       RC_PRE(!points.empty());
       const PolyhedralComplex complex = delaunay::delaunay_subdivision(points);

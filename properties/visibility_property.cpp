@@ -50,7 +50,7 @@ bool meets_in_faces(const std::vector<Points>& cell, const Point& x, const Point
   });
 }
 
-// Definition 2.13 for two points x and y of which xy does not cross σ's own cells.
+// Definition 2.13 for two points x and y whose segment xy does not cross σ's own cells.
 bool see_each_other(const PiecewiseLinearComplex& complex, const Regions& regions, const Point& x,
                     const Point& y) {
   bool in_domain = false;

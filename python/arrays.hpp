@@ -14,7 +14,7 @@ namespace circumspect::python {
 // memory where it is as long as this exists.
 class Array {
  public:
-  // Throws Raised if the object is no array in C order, Failure if it is one of other numbers.
+  // Throws Raised if the object is not an array in C order, Failure if it is one of other numbers.
   explicit Array(PyObject* object);
   Array(Array&& other) noexcept;
   Array& operator=(Array&&) = delete;

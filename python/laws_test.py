@@ -28,7 +28,7 @@ def neighbors_of(simplices):
 
 
 def test_a_number_is_the_same_in_every_place_of_a_list():
-    """2^53 + 1 is no double: beside floats, integers and fractions, in any row, it stays what it is."""
+    """2^53 + 1 is not a double: beside floats, integers and fractions, in any row, it stays what it is."""
     big = 2**53
     rows = [[big, 0], [big + 2, 0], [big + 1, 0]]
     for beside in (0, 0.0, np.float64(0), Fraction(0)):
@@ -152,7 +152,7 @@ def test_a_height_is_left_out_only_if_all_points_have_it():
 
 
 def test_a_mesh_is_compared_by_its_own_weights():
-    """A point that is too light is no vertex: so these are weights of meshes whose points are the same."""
+    """A point that is too light is not a vertex: so these are weights of meshes whose points are the same."""
     points, light, heavy = [[0, 0], [4, 0], [0, 4], [1, 1]], [0, 0, 0, -100], [0, 0, 0, 0]
     a, b = circumspect.delaunay(points, light), circumspect.delaunay(points, heavy)
     assert circumspect.compare((points, a), (points, a), weights=(light, light))

@@ -69,7 +69,7 @@ def test_a_mesh_that_repeats():
         circumspect.check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "delaunay", lattice=[1, 1])
 
 
-# Numbers that are large, small, not dyadic or on a grid; and of types that are no plain numbers.
+# Numbers that are large, small, not dyadic or on a grid; and of types that are not plain numbers.
 PLAIN = [0, 1, 2, 3, 0.5, 0.1, 1 / 3, 2**53, -2**53, 2.0**60, 1e-300, np.float64(0.1)]
 OTHERS = [2**53 + 1, Fraction(1, 3), decimal.Decimal("0.1"), np.float32(0.1), np.int64(2)]
 

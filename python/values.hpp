@@ -137,7 +137,7 @@ Value value_of(PyObject* object) {
   }
 }
 
-// An empty optional is None, and so is no text.
+// An empty optional is None, and so is not text.
 template <class Value>
 Object object_of(const Value& value) {
   if constexpr (std::is_same_v<Value, Object>) {

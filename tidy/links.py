@@ -50,7 +50,7 @@ def faults(root):
                 found.append(f"{path}:{number}: '{name or path}' has no heading '#{anchor}'")
             elif path.startswith("docs/") and not any(file.resolve().is_relative_to(pathlib.Path(root, part).resolve())
                                                       for part in ("docs", "hunt/pages")):
-                found.append(f"{path}:{number}: '{name}' is no part of the site; write its path as code")
+                found.append(f"{path}:{number}: '{name}' is not part of the site; write its path as code")
     return found
 
 

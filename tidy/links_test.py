@@ -37,7 +37,7 @@ class Links(unittest.TestCase):
 
     def test_the_site_has_no_other_files(self):
         self.assertEqual(faults("docs/other.md", "[root](../README.md)\n"),
-                         ["docs/other.md:1: '../README.md' is no part of the site; write its path as code"])
+                         ["docs/other.md:1: '../README.md' is not part of the site; write its path as code"])
 
     def test_code_has_no_links(self):
         self.assertEqual(faults("docs/other.md", "`[a](b)`\n\n```\n[a](b)\n```\n[a](c)\n"),

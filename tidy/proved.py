@@ -93,7 +93,7 @@ def faults_of_rules(theorems):
         if (rule in named) != any((rule, of) in theorems for of in ("points", "domains")):
             yield f"proofs/MainTheorems.v: {rule} is to be named if and only if a refutation in proofs/mutants/ names it"
     for rule in sorted(named - set(rules())):
-        yield f"proofs/MainTheorems.v: {rule} is no rule of {RULES}"
+        yield f"proofs/MainTheorems.v: {rule} is not a rule of {RULES}"
     for rule, of in sorted({row for row in failing_rows() if not is_judged(*row)}):
         yield f"{RULES}: {rule} is judged of {of}: the corpus has such a mesh"
 
@@ -130,7 +130,7 @@ def faults_of_notions():
     for name in sorted(set(notions()) - set(listed)):
         yield f"{page}: the notion {name} is left out"
     for name in sorted(set(listed) - set(notions())):
-        yield f"{page}: {name} is no notion of the definitions in proofs/"
+        yield f"{page}: {name} is not a notion of the definitions in proofs/"
 
 
 def main(arguments):

@@ -293,7 +293,7 @@ class Tidy:
     def folder(self, path):
         folder = path.rpartition("/")[0]
         if folder not in ARROWS:
-            self.fault(path, 1, "folder", f"'{folder}' is no layer; add it to ARROWS in tidy/tidy.py")
+            self.fault(path, 1, "folder", f"'{folder}' is not a layer; add it to ARROWS in tidy/tidy.py")
 
     def code(self, path, code):
         for number, line in enumerate(code.split("\n"), 1):

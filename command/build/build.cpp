@@ -74,7 +74,7 @@ struct Built {
   report::Json steps = {};             // how it was made, if that was asked
 };
 
-// The points of a weighted set that are no vertices: submerged, or on the lower hull without being
+// The points of a weighted set that are not vertices: submerged, or on the lower hull without being
 // extreme.
 std::string not_vertices_text(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.points());
@@ -267,7 +267,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
                 "One of the book's algorithms. All make the same set of simplices, and so does the "
                 "default, a fast construction whose answer is proved; bowyer-watson makes what it "
                 "cannot: points of a flat or of other dimensions than 2 and 3, and numbers that "
-                "are no doubles"},
+                "are not doubles"},
                {"--order", "as-given|random|brio-hilbert|brio-z-order",
                 into(options.bowyer_watson.order, one_of(orders)),
                 "The order in which Bowyer-Watson inserts points (default: brio-hilbert)"},

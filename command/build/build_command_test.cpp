@@ -252,7 +252,7 @@ TEST_CASE("build: a place that cannot be written to, and nothing half-written an
 }
 
 // Renaming a finished file over a device or a pipe would put a file in its place.
-TEST_CASE("build: what is no file, a pipe say, is written to and stays what it is") {
+TEST_CASE("build: what is not a file, a pipe say, is written to and stays what it is") {
   const ScratchFolder folder;
   const std::string points = folder.write("x.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
   const std::string pipe = folder.path("pipe");
@@ -356,7 +356,7 @@ TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if 
     const std::string mesh = folder.path(name + ".1.ele");
     const Run built = run({"build", "cdt", domain, "-o", mesh});
     CHECK_MESSAGE(built.exit_code == 0, (built.out + built.err));
-    CHECK(has(built.out, "note: there is no canonical CDT, for segment 1 6 is no edge; "));
+    CHECK(has(built.out, "note: there is no canonical CDT, for segment 1 6 is not an edge; "));
     CHECK(has(built.out, "\nbuilt: cdt " + domain + " "));
     CHECK(has(built.out, " not-canonical\n"));
     for (const std::string by : {"lemma", "definition"}) {

@@ -36,7 +36,7 @@ std::string in_words(const constrained::NoCdt& no_cdt, const Domain& domain) {
       return fmt::format("facet {} is not locally Delaunay: vertex {} is in the ball", simplex,
                          witness);
     case WhyNoCdt::kSegmentMissing:
-      return fmt::format("segment {} is no edge", witness);
+      return fmt::format("segment {} is not an edge", witness);
   }
   return "";
 }

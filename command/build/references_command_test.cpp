@@ -41,7 +41,7 @@ TEST_CASE("build --statistics counts what was created") {
   CHECK(built.out.find("\nconflict tests: ") != std::string::npos);
 }
 
-TEST_CASE("build weighted-delaunay names the points that are no vertices, and check accepts it") {
+TEST_CASE("build weighted-delaunay names the points that are not vertices, and check accepts it") {
   const ScratchFolder folder;
   const std::string points = folder.write("w.node", kSquareWithLightCentre);
   const std::string mesh = folder.path("w.ele");

@@ -40,7 +40,7 @@ TEST_CASE("campaign --claim complex: a simplex that is listed twice is found, an
   CHECK(has(small, "\"minimal_points\": 4"));
 }
 
-// Each diagram of which `rows` makes its lines.
+// The diagrams whose lines `rows` makes.
 std::string diagrams(const std::string& rows) {
   return "CIRCUMSPECT=" CIRCUMSPECT_COMMAND
          "\n\"$CIRCUMSPECT\" build voronoi \"$1\" > whole || exit 9\nawk '" +

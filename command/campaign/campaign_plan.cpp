@@ -133,7 +133,7 @@ std::vector<OptionRow> rows_of(CampaignOptions& options) {
       {"--seed", "N", into(options.seed, whole_number()),
        "The seed of all inputs: the same seed draws the same inputs (default: 0)"},
       {"--time", "TIME", duration(options.seconds),
-       "Stop after TIME, of which up to a quarter goes into minimizing findings. The campaign "
+       "Stop after TIME; up to a quarter of it goes into minimizing findings. The campaign "
        "waits for programs that still run (default: 60s; with --cases, until all are done)"},
       {"--cases", "N", into(options.cases, whole_number()),
        "Draw N inputs, in all runs of this campaign together"},

@@ -35,8 +35,8 @@ std::optional<std::vector<Simplex>> others(std::vector<Simplex> all, std::vector
   return rest;
 }
 
-// In the plane the edges of the triangles, and what dangles, are the segments of a domain, of which
-// these are triangles.
+// In the plane the edges of the triangles, and what dangles, are the segments of a domain, and
+// these are its triangles.
 std::optional<std::vector<Simplex>> fill_in_plane(const PointSet& points,
                                                   const std::vector<Simplex>& triangles,
                                                   const std::vector<Simplex>& dangling) {
@@ -59,7 +59,7 @@ std::vector<Point> image(const PointSet& points, int number) {
 }
 
 // In space the facets of the tetrahedra, and triangles that dangle, are the polygons of a domain,
-// of which these are tetrahedra. A CDT of it does; where there is none, there may be one of an
+// and these are its tetrahedra. A CDT of it does; where there is none, there may be one of an
 // affine image, or some other triangulation, which is searched for if there are few points.
 std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
                                                   const std::vector<Simplex>& tetrahedra,
@@ -269,7 +269,7 @@ bool may_have_pockets(const Domain& domain, Claim claim) {
          claim != Claim::kConformingDelaunay;
 }
 
-// A mesh in a plane of space, of which all dangles, with a point beside the plane.
+// A mesh in a plane of space, all of it dangling, with a point beside the plane.
 std::optional<certificate::FilledMesh> beside_its_plane(const ExactMesh& mesh) {
   if (mesh.points.ambient_dimension() != 3 || mesh.points.dimension() != 2) return std::nullopt;
   std::vector<Vertex> labels;

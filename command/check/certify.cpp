@@ -142,7 +142,7 @@ std::string usage_fault(const CertifyOptions& options) {
       {{!options.required.empty(),
         "expected no --require of a certificate, found it: nothing is proved of the shape of "
         "simplices; circumspect check judges it"},
-       {is_unproved, fmt::format("expected a claim of which something is proved, found {}",
+       {is_unproved, fmt::format("expected a claim about which something is proved, found {}",
                                  is_unproved ? name(*options.asked) : "")},
        domain_options_fault(options.said, options.asked, options.domain.has_value()),
        certificate_fault(options.said)});

@@ -46,7 +46,7 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
   CHECK(has(contents(meshes.cert), "\nbecause 4\nend\n"));
 }
 
-// Of a square an edge of which is halved on one side only, and of its two halves.
+// A square with an edge that is halved on one side only, and its two halves.
 TEST_CASE("certify: a mesh alone") {
   CertifiedMeshes meshes;
   const Run holds = run({"certify", meshes.good, "-o", meshes.cert, "--claim", "complex"});
@@ -85,7 +85,7 @@ TEST_CASE("certify: a convex hull, and points of one plane in space") {
   CHECK(begins_with(contents(meshes.cert),
                     "circumspect-certificate 1 convex-hull 2 triangulation\n"));
   CHECK(has(contents(meshes.cert), " -\n"));  // the summit, which is nobody's
-  // Its centre is a point already, which is no vertex.
+  // Its centre is a point already, which is not a vertex.
   meshes.write("edges", "5 2\n5 0 0\n6 3 0\n7 3 3\n8 0 3\n9 1 1\n",
                "4 2\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n");
   CHECK(run(hull).exit_code == 0);
@@ -174,8 +174,8 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
   CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 cdt 2 hull plc\n"));
 }
 
-// A mesh of the hull without its hole is no mesh of the hull: certificates are about the latter.
-TEST_CASE("certify: no hull with holes, of which check says another thing than of the hull") {
+// A mesh of the hull without its hole is not a mesh of the hull: certificates are about the latter.
+TEST_CASE("certify refuses a hull with holes: check says something else of it than of the hull") {
   const CertifiedMeshes meshes;
   meshes.folder.write("holed.edge", "4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n");
   meshes.folder.write("holed.node", kSquareFrom5);

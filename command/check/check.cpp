@@ -30,7 +30,7 @@ namespace circumspect::cli {
 namespace {
 
 // What is said of how a mesh was read, at once, and what its verdict may be due to, beside the
-// verdict: before the witnesses, of which there may be many, nobody would see that.
+// verdict: before the witnesses, which may be many, nobody would see that.
 struct Notes {
   std::vector<std::string> of_reading;
   std::vector<std::string> of_verdict;

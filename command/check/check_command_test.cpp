@@ -49,7 +49,7 @@ TEST_CASE("check: exit code 1, the witness, and the verdict on the last line") {
   CHECK(has(definition.out, " delaunay.vertex-in-ball 2 simplex 0 1 2 vertex 3\n"));
 }
 
-TEST_CASE("check: exit code 2 for what is no command line") {
+TEST_CASE("check: exit code 2 for what is not a command line") {
   const Meshes meshes;
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{},
@@ -72,7 +72,7 @@ TEST_CASE("check: exit code 2 for what is no command line") {
   }
 }
 
-TEST_CASE("check: what is no word or number of an option is answered with those that are") {
+TEST_CASE("check: what is not a word or number of an option is answered with those that are") {
   const Meshes meshes;
   const auto said = [&](const std::string& option, const std::string& value) {
     return run({"check", option, value, meshes.good}).err;

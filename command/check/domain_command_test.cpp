@@ -129,7 +129,7 @@ TEST_CASE("a domain at fault: when breaches are left out, it is said") {
   const Run all = run({"inspect", domain});
   CHECK(all.exit_code == 3);
   CHECK(!has(all.out, "stopped"));
-  CHECK(has(all.out, " no piecewise linear complex, 3 breaches of which the first is plc."));
+  CHECK(has(all.out, " not a piecewise linear complex, 3 breaches, first plc."));
   const auto whole = document(run({"inspect", domain, "--format", "json"}))["results"][0];
   CHECK(whole["breaches"].size() == 3);
   CHECK(whole["truncated"] == false);
@@ -137,7 +137,7 @@ TEST_CASE("a domain at fault: when breaches are left out, it is said") {
   CHECK(run({"inspect", domain, "--max-errors", "3"}).out == all.out);
   const Run cut = run({"inspect", domain, "--max-errors", "2"});
   CHECK(has(cut.out, "\n… stopped at 2; --max-errors 0 lists all\ninspected: "));
-  CHECK(has(cut.out, " no piecewise linear complex, more than 2 breaches of which "));
+  CHECK(has(cut.out, " not a piecewise linear complex, more than 2 breaches, first "));
   const auto part =
       document(run({"inspect", domain, "--max-errors", "2", "--format", "json"}))["results"][0];
   CHECK(part["breaches"].size() == 2);

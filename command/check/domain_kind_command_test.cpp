@@ -144,7 +144,7 @@ TEST_CASE("a leak beside something enclosed is noted, unless the kind is said") 
   CHECK(!has(said.out, "note: "));
 }
 
-TEST_CASE("the hull of points in one plane of space is no domain to fill") {
+TEST_CASE("the hull of points in one plane of space is not a domain to fill") {
   const ScratchFolder folder;
   const std::string points = "4 3\n1 0 0 5\n2 3 0 5\n3 3 1 5\n4 0 2 5\n";
   folder.write("e.node", points);

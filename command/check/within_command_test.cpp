@@ -78,7 +78,7 @@ TEST_CASE("check: without --within a note says what is left of a mesh of rounded
 }
 
 TEST_CASE(
-    "check --within: what is no distance, and a distance without a domain, are usage errors") {
+    "check --within: what is not a distance, and a distance without a domain, are usage errors") {
   for (const char* wrong : {"-1", "x", "near", "", "1e-9xx"}) {
     const Run result = check_near("accept/cube-five", {"--within", wrong});
     CHECK(result.exit_code == 2);

@@ -186,7 +186,7 @@ std::vector<OptionRow> rows_of(GenerateOptions& options) {
       {"--count", "K", into(options.count, whole_number(1, 1'000'000'000)),
        "Draw K inputs, with the seeds N, N+1, ... (default: 1)"},
       {"--points", "N", into(options.points, whole_number(1, 1'000'000)),
-       "Draw N points, of which equal ones count once; domains have about N (default: 12)"},
+       "Draw N points; equal ones count once; domains have about N (default: 12)"},
       {"--fewer", "", flag(options.fewer),
        "Draw any number of points up to that of --points, as campaigns do"},
       {"--dimension", "D", into(options.dimension, whole_number(1, formats::kLargestDimension)),

@@ -14,9 +14,9 @@
 
 namespace circumspect::cli {
 
-// A domain has polygons (in the plane: segments) that enclose nothing, and nobody says of which
-// kind it is. That may be a surface with a leak, which nothing but its author can tell from one
-// that is meant to dangle: a judgement refuses it, an inspection tells.
+// A domain has polygons (in the plane: segments) that enclose nothing, and nobody says which
+// kind of domain it is. That may be a surface with a leak, which nothing but its author can tell
+// from one that is meant to dangle: a judgement refuses it, an inspection tells.
 enum class Leak { kRefused, kTold };
 
 // The kind, and what the user ought to know of it, one line each: a default that is no matter of
@@ -37,7 +37,7 @@ struct ChosenKind {
 // matter. Errors (one line, without the name of the file): a leak, where it is refused; a convex
 // hull that is flat and thus fills nothing; walls that are not turned one way, where their winding
 // is to say what is filled; a point of --region that is in nothing enclosed. Requires: a valid
-// complex that has points, and the file of which it was made; in the plane edges of faces are
+// complex that has points, and the file it was made of; in the plane edges of faces are
 // segments, and no two faces overlap unless they are rings.
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
                                                   const formats::DomainFile& file,

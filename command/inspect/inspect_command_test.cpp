@@ -33,7 +33,7 @@ std::string schonhardt_and(int more) {
          "3 3 4 6\n0\n";
 }
 
-// Points of which a Delaunay triangulation has very many simplices.
+// Points whose Delaunay triangulations have very many simplices.
 std::string points_in_dimension(int dimension, int points) {
   std::string text = fmt::format("{} {} 0 0\n", points, dimension);
   unsigned state = 1;
@@ -206,14 +206,14 @@ TEST_CASE("inspect --max-errors 0: what crosses is printed, and JSON has all up 
   const Run all = run({"inspect", domain, "--max-errors", "0"});
   CHECK(all.exit_code == 3);
   CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 30 * 29 / 2 + 1);
-  CHECK(has(all.out, "no piecewise linear complex, 435 breaches of which the first is "));
+  CHECK(has(all.out, "not a piecewise linear complex, 435 breaches, first "));
   const auto json =
       document(run({"inspect", domain, "--max-errors", "0", "--format", "json"}))["results"][0];
   CHECK(json["breaches"].size() == 435);
   CHECK(json["truncated"] == false);
   const Run some = run({"inspect", domain});
   CHECK(std::count(some.out.begin(), some.out.end(), '\n') == 22);
-  CHECK(has(some.out, "no piecewise linear complex, more than 20 breaches "));
+  CHECK(has(some.out, "not a piecewise linear complex, more than 20 breaches, "));
 }
 
 TEST_CASE("--limit ends long work with what is known") {

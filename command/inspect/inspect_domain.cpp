@@ -199,8 +199,8 @@ class Inspection {
     facts.noun = "Breach";
     facts.cards_of = listed;
     for (const Breach& breach : drawn_) facts.cards.push_back(breach_card(breach, file));
-    end(fmt::format("{} no piecewise linear complex, {}{} {} of which the first is {}",
-                    on_one_line(path_), truncated ? "more than " : "", listed,
+    end(fmt::format("{} not a piecewise linear complex, {}{} {}, first {}", on_one_line(path_),
+                    truncated ? "more than " : "", listed,
                     listed == 1 && !truncated ? "breach" : "breaches", identifier(first_)),
         std::move(facts), page_ == nullptr ? Mesh() : skeleton(file));
   }

@@ -33,7 +33,7 @@ TEST_CASE("inspect of a mesh: every fact, in words and in JSON") {
   CHECK(has(some.out, "least angle"));
 }
 
-TEST_CASE("inspect of a mesh: what is no complex, and what is set apart") {
+TEST_CASE("inspect of a mesh: what is not a complex, and what is set apart") {
   const Run flat =
       run({"inspect", kCorpus + "/reject/simplex.degenerate--others-form-a-complex.ele"});
   CHECK(flat.exit_code == 0);

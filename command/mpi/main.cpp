@@ -187,7 +187,7 @@ ExitCode run(int argc, char** argv) {
   Ranks ranks(communicator);
   if (!are_told_the_same(ranks, own_words(argc, argv))) return ExitCode::kUsage;
   CLI::App app{
-      "Judges a mesh of points of which each rank reads and keeps a part, as circumspect check "
+      "Judges a mesh of points, each rank reading and keeping a part of it, as circumspect check "
       "does: exactly, with the same witnesses."};
   MpiOptions options;
   options.check.threads = 1;

@@ -163,7 +163,7 @@ def arrays(commands, corpus, folder):
 
 
 def parts(commands, corpus, folder):
-    """A mesh in three parts, of which each numbers its points for itself: as the whole, one part after the other."""
+    """A mesh in three parts, each numbering its points for itself: as the whole, one part after the other."""
     mesh = corpus / "peers/tetgen/random-3d-500.1.ele"
     points = rows_of(mesh.with_suffix(".node"), float)
     simplices = [tuple(v - 1 for v in row) for row in rows_of(mesh, int)]

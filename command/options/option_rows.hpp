@@ -73,7 +73,7 @@ inline Place flag(bool& place) {
   };
 }
 
-// A text of which `read` makes something, or says what is wrong with it.
+// A text that `read` makes something of, or says what is wrong with.
 inline Place read_by(std::function<std::string(const std::string&)> read) {
   return [read = std::move(read)](CLI::App& command, const std::string& name,
                                   const std::string& meaning) {

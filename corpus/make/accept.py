@@ -85,7 +85,7 @@ def other_triangulations():
                 [("triangulation", "holds"), ("delaunay", "delaunay.facet-not-local")])
     s = PointSet(CUBE)
     mixed = [t if i % 2 else (t[1], t[0], *t[2:]) for i, t in enumerate(canonical_delaunay(CUBE))]
-    yield Entry("accept/cube-mixed-orientation", "orientation is no part of the claim unless it is asked for", CUBE, mixed, HOLDS)
+    yield Entry("accept/cube-mixed-orientation", "orientation is not part of the claim unless it is asked for", CUBE, mixed, HOLDS)
     yield Entry("accept/cube-all-negative", "one consistent orientation, the negative one", CUBE,
                 [(t[1], t[0], *t[2:]) for t in canonical_delaunay(CUBE)], HOLDS + [("delaunay --oriented", "holds")])
     yield Entry("accept/cube-all-positive", "one consistent orientation, the positive one", CUBE,
@@ -154,7 +154,7 @@ def other_dimensions():
 
 def weighted():
     claims = [("weighted-delaunay", "holds")]
-    yield Entry("accept/weighted-submerged", "a light point in the middle of a square is no vertex: its lifted companion is above the plane",
+    yield Entry("accept/weighted-submerged", "a light point in the middle of a square is not a vertex: its lifted companion is above the plane",
                 [(0, 0), (4, 0), (0, 4), (4, 4), (1, 1)], [(0, 1, 3), (0, 3, 2)], claims, weights=[0, 0, 0, 0, -9])
     yield Entry("accept/weighted-on-plane", "a point whose lifted companion lies on the lower hull without being extreme: a vertex or, as here, not",
                 [(0, 0), (4, 0), (0, 4), (1, 1)], [(0, 1, 2)], claims, weights=[0, 0, 0, -6])

@@ -1,4 +1,4 @@
-"""Inputs that are no piecewise linear complexes, each named after its breach of Definition 4.3, up to "--".
+"""Inputs that are not piecewise linear complexes, each named after its breach of Definition 4.3, up to "--".
 
 There is no case for plc.index-out-of-range and plc.degenerate-segment: the readers refuse such files, which
 are in corpus/malformed/.

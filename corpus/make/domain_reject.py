@@ -104,7 +104,7 @@ def coverage():
                  [(0, 1, 2)], "cdt", listed=[(2, 3), (0, 3), (0, 2)])
     nested = joined(box((0, 0, 0), (9, 9, 9)), box((3, 3, 3), (6, 6, 6)))
     whole, hollow = canonical_delaunay(nested[0]), delaunay_inside(nested[0], lambda p: not all(3 < x < 6 for x in p))
-    yield reject("domain.uncovered--inner-cube", "a cube inside a cube that is no hole", nested[0], facets(nested[1]), hollow,
+    yield reject("domain.uncovered--inner-cube", "a cube inside a cube that is not a hole", nested[0], facets(nested[1]), hollow,
                  "steiner-triangulation")
     yield reject("domain.outside--hole", "the hole of a hollow cube is meshed", nested[0], facets(nested[1]), whole, "plc-triangulation",
                  holes=[(4, 4, 4)])

@@ -180,7 +180,7 @@ def write(entries, invalid):
                    [(f"`surfaces/{file}`", what, origin, SURFACE_VERDICTS[file]) for file, what, origin in SURFACES.values()]),
             "## accept/: some claim holds\n", *own_table(entries, "accept/"),
             "## reject/: wrong meshes\n", *own_table(entries, "reject/"),
-            "## invalid/: no piecewise linear complexes\n",
+            "## invalid/: not piecewise linear complexes\n",
             *table(("input", "what is wrong", "breaches"), [(f"`{path}`", cell(what), verdict_text(kinds)) for path, kinds, what in breaches]),
             PEERS_HEADER, counts(peers) + "\n", *peer_table(peers), FAULTS.strip("\n")]
     (FOLDER / "README.md").write_text("\n".join(page) + "\n")

@@ -19,7 +19,7 @@ def hull(rule, what, points, facets, *options):
 
 
 def entries():
-    yield accept("hull-2d", "five edges around seven points, of which one lies in an edge and one inside", HOUSE, WITHOUT, (), ("--only-extreme",))
+    yield accept("hull-2d", "five edges around seven points, one of them in an edge and one inside", HOUSE, WITHOUT, (), ("--only-extreme",))
     yield accept("hull-2d-all-points", "the same with the point in the edge", HOUSE, WITH, ("--all-boundary-points",), ("--oriented",))
     yield accept("hull-2d-cyclic", "the same as vertices in their cyclic order, one a row", HOUSE, [(v,) for v in (4, 3, 2, 1, 0)])
     yield accept("hull-cube", "the surface of a cube, and a point inside", CUBE + [(0.5, 0.25, 0.25)], outwards(cube_surface()),
@@ -28,5 +28,5 @@ def entries():
                CUBE + [(0.5, 0.5, 1.125)], cube_surface())
     yield hull("hull.facet-not-supporting--left-out-2d", "the topmost point was left out", HOUSE, [(0, 1), (1, 2), (2, 4), (4, 0)])
     yield hull("hull.uncovered", "the surface of a cube without one triangle", CUBE, cube_surface()[1:])
-    yield hull("hull.boundary-point-left-out", "a point in an edge, which is no vertex", HOUSE, WITHOUT, "--all-boundary-points")
+    yield hull("hull.boundary-point-left-out", "a point in an edge, which is not a vertex", HOUSE, WITHOUT, "--all-boundary-points")
     yield hull("hull.vertex-not-extreme", "a vertex between two others", HOUSE, WITH, "--only-extreme")

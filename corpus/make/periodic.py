@@ -69,7 +69,7 @@ def entries():
     write("cell-twice-moved", points, [*cells, moved])
     yield "cell-twice-moved", "a triangle is listed twice, once in another box", box, "complex.facet-overused"
     write("point-left-out", [*points, (1, 1)], cells)
-    yield "point-left-out", "a point is no corner", box, "triangulation.unused-point"
+    yield "point-left-out", "a point is not a corner", box, "triangulation.unused-point"
     others = [(x + 0.375, y + 0.625) for x, y in points]
     write("two-sheets", points + others, cells + [[(v + 8, offset) for v, offset in cell] for cell in cells])
     yield "two-sheets", "two meshes of the same box, one over the other", box, "triangulation.covered-twice"

@@ -85,7 +85,7 @@ TEST_CASE("surfaces are files of five kinds, of triangles in two of them") {
   }
 }
 
-TEST_CASE("a text that is no sequence of updates is none") {
+TEST_CASE("a text that is not a sequence of updates is none") {
   const std::string head = "2 2 0 0 0 0 1\n0 0\n1 0\n";
   CHECK(read_updates(head + "delete 1\n"));
   for (const char* const wrong :

@@ -103,7 +103,7 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
   const bool is_open = journal.file_ >= 0 && fstat(journal.file_, &status) == 0;
   if (!is_open || !S_ISREG(status.st_mode)) {
     return tl::unexpected(path + ": expected a file that can be written to: " +
-                          (is_open ? "it is no file" : std::strerror(errno)));
+                          (is_open ? "it is not a file" : std::strerror(errno)));
   }
   if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0) {
     return tl::unexpected(path + ": another campaign writes to it just now");

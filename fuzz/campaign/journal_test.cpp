@@ -141,7 +141,7 @@ TEST_CASE("a journal says why its folder cannot be") {
   CHECK(in_proc.error().find("/proc/nowhere/out: expected a folder, or a place for one: ") == 0);
 }
 
-TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {
+TEST_CASE("what is not a file, or a line that no campaign wrote, is not a journal") {
   const formats::ScratchFolder folder;
   REQUIRE(mkfifo(folder.path("journal.tsv").c_str(), 0600) == 0);
   CHECK(!Journal::open(folder.path(""), kSettings));

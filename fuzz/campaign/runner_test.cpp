@@ -101,7 +101,7 @@ TEST_CASE("the answers of a worker are judged as the files of programs are") {
   for (int i = 0; i < 3; ++i) CHECK(other.run(kTetrahedron).text == "");
 }
 
-TEST_CASE("what is no answer says what was expected and found") {
+TEST_CASE("what is not an answer says what was expected and found") {
   const auto text_of = [](const std::string& script) {
     const Subject subject = worker(script);
     Runner runner(subject);

@@ -39,7 +39,7 @@ TEST_CASE("a program that fails on ten inputs, whatever came between them, fails
   CHECK(of(kDead, 1).doubt().find("fails on every input (1 until now)") != std::string::npos);
 }
 
-TEST_CASE("one input of which the program makes a mesh is enough") {
+TEST_CASE("one input that the program makes a mesh of is enough") {
   Trial trial = of(kDead, 9);
   trial.look(kRight);
   for (int i = 0; i < 20; ++i) trial.look(kDead);

@@ -173,7 +173,7 @@ Answer answer(const Triangulator& subject, const PointArray& points) {
   } catch (const std::exception& error) {
     return {{}, "crash", error.what()};
   } catch (...) {
-    return {{}, "crash", "something was thrown that is no std::exception"};
+    return {{}, "crash", "something was thrown that is not a std::exception"};
   }
 }
 

@@ -94,7 +94,7 @@ std::optional<Failure> failure_of(const Make& make, const SequenceOptions& optio
     } catch (const std::exception& error) {
       return Failure{done + 1, "crash", fmt::format("the structure threw: {}\n", error.what())};
     } catch (...) {
-      return Failure{done + 1, "crash", "the structure threw what is no std::exception\n"};
+      return Failure{done + 1, "crash", "the structure threw what is not a std::exception\n"};
     }
     const Present present = present_after(steps, done + 1, options.dimension);
     const Judgement judgement =

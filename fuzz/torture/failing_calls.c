@@ -159,7 +159,7 @@ static void begin(char** argv) {
   }
   const int file = open(counter, O_RDWR | O_CLOEXEC);
   void* const shared = mmap(NULL, 8, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-  if (shared == MAP_FAILED) end("FAILING_COUNT is no file of 8 bytes");
+  if (shared == MAP_FAILED) end("FAILING_COUNT is not a file of 8 bytes");
   close(file);
   count = shared;
   group = name;

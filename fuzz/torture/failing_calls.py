@@ -86,7 +86,7 @@ RUNS = [
     Run("campaign-worker", CAMPAIGN[:1] + ["--worker"] + CAMPAIGN[1:] + ["/bin/sh", "-c", WORKER]),
     Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"],
         in_slice={("pipe", "EMFILE", False)})]
-# At which calls a campaign is killed; 0 is no error.
+# At which calls a campaign is killed; 0 is not an error.
 KILLS = [("write", None, False), ("name", None, False), ("sync", None, False)]
 BEFORE = b"what was there before\n"
 
@@ -167,7 +167,7 @@ class Torture:
         return faults
 
     def faults(self, run, failure, undisturbed, ended):
-        """What is wrong with a run of which a call failed."""
+        """What is wrong with a run one of whose calls failed."""
         code, out, err, outputs, _ = ended
         if code is None:
             return ["did not end"]

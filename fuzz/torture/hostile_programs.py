@@ -100,7 +100,7 @@ PROGRAMS = [
             (NAMESPACES,)),
     Program("writes an empty mesh", ': > "$1"', "unreadable-mesh", (NAMESPACES,)),
     Program("writes nonsense", 'echo nonsense > "$1"', "unreadable-mesh", in_slice=True),
-    Program("writes bytes that are no text", 'head -c 9999 /dev/urandom > "$1"', "unreadable-mesh", (NAMESPACES,)),
+    Program("writes bytes that are not text", 'head -c 9999 /dev/urandom > "$1"', "unreadable-mesh", (NAMESPACES,)),
     Program("writes zero bytes", 'head -c 9999 /dev/zero > "$1"', "unreadable-mesh", (NAMESPACES,)),
     Program("writes one line of a megabyte", "head -c 1000000 /dev/zero | tr '\\0' 7 > \"$1\"", "unreadable-mesh",
             (NAMESPACES,)),

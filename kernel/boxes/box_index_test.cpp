@@ -19,7 +19,7 @@ Rational rational_power_of_two(unsigned exponent) {
   return power;
 }
 
-TEST_CASE("lower_double, upper_double: neighbours around what is no double") {
+TEST_CASE("lower_double, upper_double: neighbours around what is not a double") {
   const std::vector<Rational> values = {Rational(1, 3),
                                         Rational(-1, 3),
                                         Rational(22, 7),

@@ -97,7 +97,7 @@ TEST_CASE("hexadecimal floats and fractions are exact in both readings") {
   }
 }
 
-TEST_CASE("what is no number") {
+TEST_CASE("what is not a number") {
   for (const char* token :
        {"",     "+",    "-",         ".",   "e5",    "1e",  "1e+",   "0x",   "0x.",
         "0xp1", "0x1p", "1.2.3",     "1,5", "--1",   "+-1", " 1",    "1 ",   "nan",
@@ -216,7 +216,7 @@ TEST_CASE("doubles as short decimals, all else as fractions") {
   CHECK(to_text_of_double_or_fraction(exact_value(1e300)) == "1e+300");
 }
 
-TEST_CASE("an integer that is no double keeps a denominator, or it would be read as one") {
+TEST_CASE("an integer that is not a double keeps a denominator, or it would be read as one") {
   const Rational odd = power_of_two(53) + 1;
   CHECK(to_text_of_double_or_fraction(odd) == "9007199254740993/1");
   CHECK(read_number(to_text_of_double_or_fraction(odd), kDouble) == odd);

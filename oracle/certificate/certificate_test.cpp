@@ -56,7 +56,7 @@ TEST_CASE("labels are the user's own") {
   CHECK(text.find("0 0  1 0 10\n0 1  2 2 -4\n") != std::string::npos);
 }
 
-TEST_CASE("weighted points that are no vertices are given the simplex that contains them") {
+TEST_CASE("weighted points that are not vertices are given the simplex that contains them") {
   const PointSet points({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {3, 1}, {2, 2}, {4, 2}},
                         {0, 0, 0, 0, -9, -9, -9});
   const ExactMesh mesh{points, {{0, 1, 2}, {0, 3, 2}}};

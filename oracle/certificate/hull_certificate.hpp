@@ -14,7 +14,7 @@ namespace circumspect::certificate {
 
 struct HullCertificate {
   // Each facet makes a simplex with the summit, the last point, which is nobody's. If some points
-  // are no vertices, it is a weighted Delaunay triangulation: the summit is lowered, and all other
+  // are not vertices, it is a weighted Delaunay triangulation: the summit is lowered, and all other
   // points have one height.
   Certificate cones;
   std::vector<Vertex> around;  // d+1 of the points, positively oriented: the summit is inside

@@ -21,8 +21,8 @@ struct JoinedPolygons {
 // Two polygons belong together if they lie in one plane, exactly, and a segment lies in both; what
 // belongs to the same polygon belongs together. A joined polygon covers what its members cover,
 // with their holes and slits. A segment that two of them have and nothing else has, neither a
-// polygon of another plane nor a list of segments (lines of two vertices among them), is no segment
-// any more. All vertices stay vertices, also those that lie inside a joined polygon and in nothing
+// polygon of another plane nor a list of segments (lines of two vertices among them), stops being
+// one. All vertices stay vertices, also those that lie inside a joined polygon and in nothing
 // else. So the polyhedra do not change: the walls, triangle by triangle, are the same. Polygons are
 // in the order of their first members.
 // Requires: the complex is what `validated` or `assemble` made of the input, in space.

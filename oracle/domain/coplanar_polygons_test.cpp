@@ -216,7 +216,7 @@ TEST_CASE("a ring of squares has a hole, and a vertex inside a joined polygon st
   CHECK(whole.input.polygons[0].lines.back() == std::vector<Vertex>{4});
 }
 
-TEST_CASE("two holes that touch in a corner, and an indentation that is no hole") {
+TEST_CASE("two holes that touch in a corner, and an indentation that is not a hole") {
   // Without the squares (1, 1), (2, 2) and, at the border, (0, 2).
   std::vector<std::pair<Vertex, Vertex>> cells;
   for (Vertex y = 0; y < 4; ++y) {

@@ -127,10 +127,10 @@ TEST_CASE("curved: .ele lists nodes of second order behind the corners, as -o2 w
   CHECK(space->mesh.points() == 4);
   CHECK(space->mesh.neighbors);
   // Six nodes are of no simplex in space.
-  CHECK(
-      error_of(read_mesh({.mesh = folder.write("y.ele", "1 6\n0 0 1 2 3 4 5\n")}))
-          .ends_with("y.ele:2: expected at most 4 vertices of a simplex in dimension 3, found 6 "
-                     "(elements of second order and facets that are no simplices are not judged)"));
+  CHECK(error_of(read_mesh({.mesh = folder.write("y.ele", "1 6\n0 0 1 2 3 4 5\n")}))
+            .ends_with(
+                "y.ele:2: expected at most 4 vertices of a simplex in dimension 3, found 6 "
+                "(elements of second order and facets that are not simplices are not judged)"));
 }
 
 }  // namespace circumspect::formats

@@ -148,7 +148,7 @@ TEST_CASE("abaqus: an included file is read in its place, and errors name it") {
                                         "type=CPS3\n1, 1, 2, 3\n")}));
 }
 
-TEST_CASE("abaqus: elements that are no simplices are named with their line") {
+TEST_CASE("abaqus: elements that are not simplices are named with their line") {
   const auto curved =
       read_abaqus(named("*Node\n1,0,0,0\n*Element, type=CPS8R\n1, 1,1,1,1,1,1,1,1\n"), kDouble);
   REQUIRE(curved);

@@ -96,7 +96,7 @@ Status check_sizes(const SimplexFile& file, std::size_t dimension, const std::st
         "at most " + std::to_string(most) + " vertices of a simplex in dimension " +
             std::to_string(dimension),
         std::to_string(file.simplices.size_of(i)) +
-            " (elements of second order and facets that are no simplices are not judged)"});
+            " (elements of second order and facets that are not simplices are not judged)"});
   }
   return {};
 }

@@ -310,12 +310,12 @@ TEST_CASE("simplices that are none are named by their line") {
   CHECK(error_of(mesh_of(ele)) ==
         ele +
             ":2: expected at most 3 vertices of a simplex in dimension 2, found 5 (elements of "
-            "second order and facets that are no simplices are not judged)");
+            "second order and facets that are not simplices are not judged)");
   const std::string facets = folder.write("y.qhull-i", "2\n0 1 2\n0 1 2 3\n");
   CHECK(error_of(mesh_of(facets, node)) ==
         facets +
             ":3: expected at most 3 vertices of a simplex in dimension 2, found 4 (elements "
-            "of second order and facets that are no simplices are not judged)");
+            "of second order and facets that are not simplices are not judged)");
   CHECK(mesh_of(folder.write("z.qhull-i", "2\n0 1 2\n0 1\n"), node));
   const std::string off =
       folder.write("x.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");

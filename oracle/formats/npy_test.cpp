@@ -196,7 +196,7 @@ TEST_CASE("npy: as many numbers as the shape says, all finite") {
         "f: expected finite coordinates, found an infinity in row 0, column 2, counted from 0");
 }
 
-TEST_CASE("npy: what is no header of NumPy") {
+TEST_CASE("npy: what is not a header of NumPy") {
   const std::string npy_file = "f: expected an .npy file, which begins with \\x93NUMPY, found ";
   CHECK(points_error("") == npy_file + "an empty file");
   CHECK(points_error("4 3 0 0\n") == npy_file + "\"4 3 0 \"");

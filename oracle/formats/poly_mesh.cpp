@@ -45,7 +45,7 @@ class PolyMeshReader {
   Status collect_faces();
   void add_cell(std::size_t cell);
   // A tetrahedron of these faces, positively oriented if the first face is as it should be; nothing
-  // if they are no four triangles of four vertices.
+  // if they are not four triangles of four vertices.
   std::optional<Simplex> tetrahedron_of(std::size_t cell) const;
   tl::unexpected<FormatError> fail(const char* file, std::string expected,
                                    std::string found) const {

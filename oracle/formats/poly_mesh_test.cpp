@@ -121,7 +121,7 @@ TEST_CASE("openfoam: the case, its folders and ParaView's file name one mesh") {
         mesh.path + ": expected a file, found a directory");
 }
 
-TEST_CASE("openfoam: cells that are no tetrahedra are named") {
+TEST_CASE("openfoam: cells that are not tetrahedra are named") {
   FoamFiles prism = kFoamText;
   prism.owner = foam_header("labelList") + "7(0 0 0 0 0 0 0)";
   prism.neighbour = foam_header("labelList") + "0()";

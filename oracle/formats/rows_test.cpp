@@ -50,7 +50,7 @@ TEST_CASE("indices: of 32 bits until one does not fit, also where they are repla
   CHECK(std::move(indices).as_rows(2).rows<std::int64_t>()->row(1)[1] == 7);
 }
 
-TEST_CASE("points: doubles, and exact numbers from the first that is no double") {
+TEST_CASE("points: doubles, and exact numbers from the first that is not a double") {
   PointRows rows;
   rows.set_columns(2);
   rows.add(0.5);

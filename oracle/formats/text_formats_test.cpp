@@ -114,7 +114,7 @@ TEST_CASE("node: lines that cannot be") {
         "f:3: expected indices that fit 64 bits, found \"0\"");
 }
 
-TEST_CASE("node: tokens that are no numbers") {
+TEST_CASE("node: tokens that are not numbers") {
   const std::string finite = "f:2: expected a finite number, found ";
   CHECK(node_error("1 1\n0 nan") == finite + "\"nan\"");
   CHECK(node_error("1 1\n0 -inf") == finite + "\"-inf\"");

@@ -322,7 +322,7 @@ Places first_ones(const Found& found) {
   return ones;
 }
 
-// What is known of the whole mesh, of which the findings are about a part.
+// What is known of the whole mesh; the findings are about a part of it.
 template <class Found, class Part>
 void take_whole(const Found& whole, const Part& part, const Places& unused, Findings& found) {
   found.apart.unused_points.clear();

@@ -54,7 +54,7 @@ OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) 
   const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
   const auto* const weights = std::get_if<Rows<double>>(&mesh.weights);
   if (coordinates == nullptr || (weighted && weights == nullptr)) {
-    return because("a number that is no double");
+    return because("a number that is not a double");
   }
   OrReason<Answer> answer = because("");
   const std::string_view reason = look_at_rows(

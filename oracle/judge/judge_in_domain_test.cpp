@@ -201,7 +201,7 @@ TEST_CASE("simplices that do not fill a convex hull") {
   CHECK(!rules(Claim::kCdt, fewer, hull).empty());
 }
 
-TEST_CASE("nothing is known by definition, nor of points that are no doubles") {
+TEST_CASE("nothing is known by definition, nor of points that are not doubles") {
   const PiecewiseLinearInput box = generators::box(0, Rational(1) / 3);
   const ExactMesh thirds{PointSet(box.points), kCubeInFive};
   CHECK(!facts_of(Claim::kCdt, thirds, domain_of(box)));

@@ -195,10 +195,10 @@ TEST_CASE("what the fast engine does not take, and why") {
   CHECK(why_not_fast(Claim::kWeightedDelaunay, square).empty());
   CHECK(why_not_fast(Claim::kDelaunay, square, {.by = By::kDefinition}) == "judged by definition");
   const PointSet thirds({{0, 0}, {1, 0}, {0, 1}, {Rational(1) / 3, 1}});
-  CHECK(why_not_fast(Claim::kDelaunay, {thirds, kTwo}) == "a number that is no double");
+  CHECK(why_not_fast(Claim::kDelaunay, {thirds, kTwo}) == "a number that is not a double");
   const PointSet heavy({{0, 0}, {1, 0}, {0, 1}}, {Rational(1) / 3, 0, 0});
   CHECK(why_not_fast(Claim::kWeightedDelaunay, {heavy, {{0, 1, 2}}}) ==
-        "a number that is no double");
+        "a number that is not a double");
   CHECK(why_not_fast(Claim::kTriangulation, {heavy, {{0, 1, 2}}}).empty());
   CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, 2}, {1, 3}}}) ==
         "simplices of various sizes");

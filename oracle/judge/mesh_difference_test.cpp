@@ -117,7 +117,7 @@ TEST_CASE("random meshes of cells: some listed again, some missing, in another o
   CHECK(same < 1800);
 }
 
-TEST_CASE("numbers that are no doubles are compared exactly") {
+TEST_CASE("numbers that are not doubles are compared exactly") {
   const Rational third = Rational(1) / 3;
   const ExactMesh thirds{PointSet({{0, 0}, {third, 0}, {0, 1}}, {0, third, 0}), {{0, 1, 2}}};
   const ExactMesh doubles{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};

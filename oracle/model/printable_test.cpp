@@ -15,7 +15,7 @@ TEST_CASE("what is printable stays, in any language") {
   }
 }
 
-TEST_CASE("what is no character, or moves the cursor, is written byte by byte") {
+TEST_CASE("what is not a character, or moves the cursor, is written byte by byte") {
   CHECK(on_one_line(std::string("a\0b", 3)) == "a\\x00b");
   CHECK(on_one_line("a\nb\tc\r\x1b[31m\x7f") == "a\\x0ab\\x09c\\x0d\\x1b[31m\\x7f");
   CHECK(on_lines("a\nb\tc\r\x1b[31m\x7f") == "a\nb\tc\\x0d\\x1b[31m\\x7f");

@@ -18,7 +18,7 @@ namespace {
 using report::Json;
 
 constexpr std::size_t kMostNear = 60;
-constexpr std::size_t kSmallMesh = 500;  // of which the whole boundary is drawn
+constexpr std::size_t kSmallMesh = 500;  // the largest whose whole boundary is drawn
 constexpr std::size_t kMostWalls = 400;
 constexpr double kFar = 50;  // what lies further from the middle is not drawn
 

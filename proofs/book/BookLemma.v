@@ -5,7 +5,7 @@
     below a witness plane ([DelaunayLemma.v]).  The other directions are easy: a circumball of a
     simplex is one of its faces, and an empty ball contains no vertex of two simplices.
 
-    Again heights first.  A point that is no vertex has to be accounted for: it is not below the
+    Again heights first.  A point that is not a vertex has to be accounted for: it is not below the
     plane of a simplex that it is in.  Vertices are. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Matched Generic Mesh Facets.

@@ -193,7 +193,7 @@ Proof.
   destruct (Nat.eq_dec i j); lra.
 Qed.
 
-(** The sample point is no vertex of a hull facet. *)
+(** The sample point is not a vertex of a hull facet. *)
 Lemma o_no_corner t i s' k : facet t i -> numbered ss t = Some s' ->
   In k (remove i (corners s')) -> spot d completed k <> o.
 Proof.

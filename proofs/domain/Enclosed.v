@@ -1,8 +1,8 @@
 (** * What walls enclose is what the marked simplices cover
 
     A mesh fills conv S, some of its facets are walls, and its simplices are marked: [marked] or
-    not. Marks differ only across walls, no facet of the hull that is no wall belongs to an inner
-    simplex, and from each simplex that is not inner one gets, through facets that are no walls, to
+    not. Marks differ only across walls, no facet of the hull that is not a wall belongs to an inner
+    simplex, and from each simplex that is not inner one gets, through facets that are not walls, to
     the outside or to a hole.  Then the walls enclose themselves and the inner simplices, and
     nothing else ([enclosed_inner]).
 
@@ -279,7 +279,7 @@ Proof.
   assert (t = u) as -> by now apply (inside_once tets geo agreeing different t u q).
   specialize (I i Hi). lra.
 Qed.
-(** The centre of a facet that is no wall is on no wall. *)
+(** The centre of a facet that is not a wall is on no wall. *)
 Lemma centre_off t i : In t tets -> (i <= d)%nat -> ~ wall t i -> ~ walls (facet_centre (geo t) i).
 Proof.
   intros Ht Hi N W. apply walls_are in W. destruct W as (u & k & Hu & Hk & Wu & Z & C).

@@ -52,7 +52,7 @@ refused() {
   elif gappa -Eno-auto-dichotomy "$work/mutant.gappa" >"$work/log" 2>&1; then
     fault "$(basename "$1"): proved although $2, so the proof proves nothing"
   elif ! grep -q 'some properties were not satisfied' "$work/log"; then
-    fault "$(basename "$1"): the mutant '$2' is no script: $(head -n 1 "$work/log")"
+    fault "$(basename "$1"): the mutant '$2' is not a script: $(head -n 1 "$work/log")"
   fi
 }
 

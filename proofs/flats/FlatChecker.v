@@ -1,7 +1,7 @@
 (** * The checker of certificates of points of a plane in space
 
     [judge_flat] is extracted; [FlatSound.v] proves what its acceptance means.  In the picture of
-    the plane a triangulation is a triangulation.  The ball of a triangle is no circle there; but
+    the plane a triangulation is a triangulation.  The ball of a triangle is not a circle there; but
     its lifted plane is one, over the heights that the points have in space. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Quick Flats DomainChecker.

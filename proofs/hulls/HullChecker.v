@@ -3,7 +3,7 @@
     [judge_hull] is extracted; [HullSound.v] proves what its acceptance means.  Every facet of the
     hull makes a cone with the summit, a point inside: the cones are a triangulation, which has a
     certificate as any other.  It is a weighted Delaunay triangulation if the summit is lowered, so
-    that points of S that are no vertices need not be vertices of cones. *)
+    that points of S that are not vertices need not be vertices of cones. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Quick Hulls.
 From Circumspect Require Table.

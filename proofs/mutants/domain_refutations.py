@@ -78,7 +78,7 @@ def dangling_text(pads, dangling):
 
 
 def refutations_where_something_dangles():
-    """The square again, of which some edges are listed beside the triangles; the pads are counted on from 8."""
+    """The square again, with some edges listed beside the triangles; the pads are counted on from 8."""
     shown, beside = True, False
     square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1), (2, 2), (1, 3)]
     fan, half, both = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]], [[1, 2, 3]], [[1, 2, 3], [1, 3, 4]]

@@ -208,7 +208,7 @@ FIN_SEGMENTS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3), (1, 4), (2, 4)]
 
 
 def where_something_dangles():
-    """Domains of which a segment or a polygon is in no kept simplex."""
+    """Domains with a segment or a polygon that is in no kept simplex."""
     def whip(claim, corners):
         return dict(plane_domain(claim, "enclosed", WHIP, WHIP_MESH, 1, corners, WHIP_SEGMENTS), dangling=True)
     steiner, of_corners = whip("steiner-triangulation", {0, 1, 2, 3}), whip("cdt", {0, 1, 2, 3, 4})
@@ -235,7 +235,7 @@ def where_something_dangles():
 
 
 def domains(mutant, put, square_points, square_mesh):
-    """Domains in the plane and in space, of which the mesh is right, and what may be wrong with it."""
+    """Domains in the plane and in space with right meshes, and what may be wrong with these."""
     def notched(claim="steiner-triangulation", kind="enclosed"):
         return plane_domain(claim, kind, NOTCHED, NOTCHED_MESH + NOTCH_AND_HOLE, 9,
                             {0, 1, 2, 3, 4, 5, 6, 7}, NOTCHED_SEGMENTS, [(11, [8, 9], 2)])
@@ -324,7 +324,7 @@ def complexes(mutant, put, sound, dented, hull):
         "verified: plc-triangulation, 5 points, 3 tetrahedra; domain: enclosed, plc, 5 vertices, 9 segments, 6 polygons"
     yield "sound--complex-of-a-hull", with_complex(hull), \
         "verified: steiner-triangulation, 5 points, 4 triangles; domain: hull, plc, 4 vertices"
-    # The vertex (4, 8), which was no vertex of the domain, is one: inside a segment.
+    # The vertex (4, 8), which was not a vertex of the domain, is one: inside a segment.
     inside = plane_domain("steiner-triangulation", "enclosed", NOTCHED, NOTCHED_MESH + NOTCH_AND_HOLE, 9,
                           set(range(9)), NOTCHED_SEGMENTS, [(11, [8, 9], 2)])
     yield "face-held--vertex-in-a-segment", with_complex(inside), "rejected: face-held, segment 4"
@@ -342,7 +342,7 @@ def complexes(mutant, put, sound, dented, hull):
                          DENTED_TRIANGLES, DENTED_SEGMENTS)
     twice["polygons"].append(copy.deepcopy(twice["polygons"][0]))
     yield "face-held--polygon-twice", with_complex(twice), "rejected: face-held, polygon 7"
-    # Edges of a polygon that are no segments of the domain.
+    # Edges of a polygon that are not segments of the domain.
     bare = space_domain("plc-triangulation", "enclosed", DENTED, DENTED_MESH, 3, DENTED_TRIANGLES,
                         DENTED_SEGMENTS[1:])
     yield "rim-listed--no-segment", with_complex(bare), "rejected: rim-listed, polygon 1"

@@ -209,7 +209,7 @@ def standings():
         ("canonical--cube-in-five", cube, middle, "canonical", None, "rejected: canonical, simplex"),
         ("unique--cube", cube, pulled, "unique", None, "rejected: unique, simplex"),
     ]
-    # A point that is no vertex, on the lower hull or strictly above it.
+    # A point that is not a vertex, on the lower hull or strictly above it.
     for name, weight in ("on-the-hull", -2), ("above-the-hull", -3):
         points, lifted = [(0, 0), (2, 0), (0, 2), (1, 1)], [0, 0, 0, weight]
         c = certificate("weighted-delaunay", points, [(0, 1, 2)], weights=lifted)

@@ -2,7 +2,7 @@
 
 from honest import certificate, side, text
 
-# Four corners, a point inside, and one in an edge, which are no vertices; the last is the summit.
+# Four corners, a point inside, and one in an edge, which are not vertices; the last is the summit.
 FRAME = [(0, 0), (6, 0), (6, 6), (0, 6), (4, 1), (3, 0), (2, 2)]
 FRAME_EDGES = [(0, 1), (1, 2), (2, 3), (3, 0)]
 # The same with another point inside, and the summit.

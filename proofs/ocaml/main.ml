@@ -5,7 +5,7 @@
    circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
    circumspect-verified build delaunay POINTS.node: prints the canonical Delaunay triangulation of the points.
    Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
-   told; a signal, as of a system without memory) is no answer. *)
+   told; a signal, as of a system without memory) is not an answer. *)
 open Content
 
 let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [--hole X,Y,Z] [MESH.node MESH.ele] [DOMAIN.poly]]\n\

@@ -33,8 +33,8 @@ struct Fault {
   std::vector<std::size_t> dimensions = {2, 3};  // in which the mistake can be made
   std::size_t most_points = 12;                  // of an input
   bool oriented = false;                         // the program promises one orientation besides
-  // Inputs have as many points as a campaign draws, of which the program is given at most
-  // `most_points`: the mistake takes more than a few to show.
+  // Inputs have as many points as a campaign draws; the program is given at most
+  // `most_points` of them: the mistake takes more than a few to show.
   bool needs_many = false;
 };
 

@@ -32,7 +32,7 @@ void add(ArrayMesh& mesh, const Row& row) {
   mesh.neighbors.clear();
 }
 
-// Two simplices that share a facet, and the simplices of which a flip would make one each: the join
+// Two simplices that share a facet, and the simplices that a flip would join: the join
 // of the edge between their apexes with a ridge of the facet.
 struct Pair {
   std::size_t first, second;

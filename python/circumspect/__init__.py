@@ -272,7 +272,7 @@ def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weig
     """What proves the verdict to circumspect-verified: the text of a certificate, or of a refutation.
 
     Raises InputError if points are equal, or if there are neither points nor simplices; and ValueError if something is
-    required of the shape of simplices, of which nothing is proved.
+    required of the shape of simplices, about which nothing is proved.
 
     >>> certify([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).split()[0]
     'circumspect-certificate'

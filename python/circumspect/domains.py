@@ -17,7 +17,7 @@ class Domain:
     """A piecewise linear complex: the domain that a mesh must fill.
 
     points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons: each a list of corners, or of several such
-    lines, in space outline, outlines of holes, segments, vertices, in the plane rings, of which an odd number encloses
+    lines, in space outline, outlines of holes, segments, vertices, in the plane rings, an odd number of which encloses
     what the polygon covers; polygon_holes, only in space: for the index of a polygon, a list of points, one in each of
     its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
     segments or polygons enclose), "even-odd" (of that, what is entered by an odd number of them), "winding" (what

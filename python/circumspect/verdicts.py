@@ -9,7 +9,7 @@ from .drawing import picture_of
 
 Fraction = fractions.Fraction
 MOST_PICTURES = 3
-LARGEST_SHOWN = 60000  # characters of HTML, of which notebooks keep a copy
+LARGEST_SHOWN = 60000  # characters of HTML; notebooks keep a copy
 
 
 class Ball(NamedTuple):

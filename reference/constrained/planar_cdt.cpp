@@ -146,7 +146,7 @@ class SegmentInsertion {
         return edge;
       }
     }
-    assert(!"an end of the segment is no vertex, or a vertex lies inside the segment");
+    assert(!"an end of the segment is not a vertex, or a vertex lies inside the segment");
     return {};
   }
 

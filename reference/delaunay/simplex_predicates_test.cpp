@@ -62,7 +62,7 @@ TEST_CASE("simplex predicates: points on a line, an edge over a point") {
   CHECK(answer.obstruction->points == Simplex{1});
 }
 
-TEST_CASE("simplex predicates: a submerged point is no weighted Delaunay vertex") {
+TEST_CASE("simplex predicates: a submerged point is not a weighted Delaunay vertex") {
   const std::vector<Point> line{Point{0}, Point{1}, Point{2}};
   CHECK(is_delaunay(PointSet(line), Simplex{1}));
   CHECK_FALSE(is_delaunay(PointSet(line, {0, -2, 0}), Simplex{1}));

@@ -72,7 +72,7 @@ TEST_CASE("all triangulations: a square with its centre, the grids") {
   check_counts(grid(3, 3), {64, 387});
 }
 
-TEST_CASE("all triangulations: a square in space, in the plane of which everything happens") {
+TEST_CASE("all triangulations: a square in space, where everything happens in its plane") {
   check_counts(PointSet({{0, 0, 5}, {1, 0, 6}, {0, 1, 5}, {1, 1, 6}}), {2, 2});
 }
 

@@ -204,7 +204,7 @@ TEST_CASE("an empty mesh of points does not hold, and a single point does") {
   CHECK(judge("delaunay", {3, {}, {}}, SimplexArray{}, {.allow_empty = true}).holds);
 }
 
-TEST_CASE("what is no input is refused") {
+TEST_CASE("what is not an input is refused") {
   CHECK_THROWS_AS(judge("cdt", kSquare, kFan), std::invalid_argument);
   CHECK_THROWS_AS(judge("", kSquare, kFan), std::invalid_argument);
   CHECK_THROWS_AS(judge("delaunay", {2, {0, 0, 1}, {}}, {}), std::invalid_argument);

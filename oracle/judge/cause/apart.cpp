@@ -32,7 +32,7 @@ class BrokenAt {
     }
   }
 
-  // A face of the boundary of which all vertices are there, or two simplices that have the vertex
+  // A face of the boundary all of whose vertices are there, or two simplices that have the vertex
   // and the face in which it hangs, or both diagonals.
   bool explains(const Witness& witness) const {
     if (witness.face) return !witness.face->empty() && has_all(vertices_, *witness.face);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostCauses = 3;
 
-// The rules of which one at least is broken, if the cause can be one.
+// At least one of these rules is broken if the cause can be one.
 struct Row {
   std::vector<Rule> explains;
   std::optional<Cause> (*find)(Case&);

@@ -373,7 +373,7 @@ TEST_CASE("causes: parts that were meshed apart") {
   }
 }
 
-TEST_CASE("causes: points with a column that is no coordinate") {
+TEST_CASE("causes: points with a column that is not a coordinate") {
   Lists labelled = grid<2>(5);
   for (std::size_t v = 0; v < labelled.points.size(); ++v) {
     labelled.points[v].push_back(static_cast<long>(v % 2));

@@ -73,7 +73,7 @@ Rows<Value> without_last_column(const Rows<Value>& rows) {
   return fewer;
 }
 
-// Whole numbers, of which many points have the same.
+// Are they whole numbers that many points share?
 bool last_coordinates_are_labels(const Mesh& mesh) {
   constexpr std::size_t kMost = 64;
   std::set<Rational> labels;
@@ -131,7 +131,7 @@ std::optional<Cause> too_few_points(Case& of) {
   const auto found = extent(mesh.simplices);
   const auto count = static_cast<Vertex>(mesh.points());
   if (!found || found->least < 0 || found->most < count) return std::nullopt;
-  // Those of a longer list follow one another. What is no index is anywhere.
+  // Those of a longer list follow one another. What is not an index is anywhere.
   const std::size_t named = named_from(mesh.simplices, count, 2 * count);
   if (named < kFewest || 2 * named < static_cast<std::size_t>(found->most - count)) {
     return std::nullopt;

@@ -6,8 +6,8 @@
 
 namespace circumspect::check {
 
-// The answer of definition::improper_pairs. `points` are those of the list. Only those pairs are
-// looked at of which `among` has one: places in apart.compared, ascending. It ends where 50,000
+// The answer of definition::improper_pairs. `points` are those of the list. Only pairs with one in
+// `among` are looked at: places in apart.compared, ascending. It ends where 50,000
 // pairs overlap: a list of simplices and points that do not belong together has billions of these.
 definition::ImproperPairs improper_pairs(const Configuration& points,
                                          const definition::ListedComplex& listed,

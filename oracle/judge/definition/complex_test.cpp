@@ -106,7 +106,7 @@ TEST_CASE("each is said once, and nothing that another fault explains") {
   const ImproperPairs crossing = improper(star, {{0, 1, 2, 6}, {3, 4, 5, 7}});
   CHECK(crossing.crossing.size() == 6);
   CHECK(crossing.hanging.empty());
-  // Two bases of which each has a vertex in the other, and whose edges cross: only the first is
+  // Two bases, each with a vertex in the other, whose edges cross: only the first is
   // said.
   const ImproperPairs both = improper(star, {{0, 1, 2, 6}, {8, 9, 10, 7}});
   CHECK(both.hanging == std::vector<HangingVertex>{{2, {8, 9, 10}}, {8, {0, 1}}});

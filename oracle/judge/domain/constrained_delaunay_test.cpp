@@ -349,7 +349,7 @@ TEST_CASE("the vertex nearest to what is missing, exactly") {
   }
 }
 
-TEST_CASE("a fan that winds twice around a point is no triangulation of its outline") {
+TEST_CASE("a fan that winds twice around a point is not a triangulation of its outline") {
   // The doubly wound ring of docs/theory/points.md; its hull is the domain.
   const std::vector<Point> points = {{0, 0},        {14280, 6877}, {-7858, 9854}, {-4612, -5783},
                                      {3739, -1801}, {1181, 5176},  {-10000, 0},   {3269, -14323}};

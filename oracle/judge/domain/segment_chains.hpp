@@ -43,8 +43,8 @@ class SegmentChains {
   const PiecewiseLinearComplex& complex_;
   const VertexPlaces& places_;
   std::vector<std::vector<Vertex>> chains_;
-  // For each vertex of the domain where those segments begin in the list of which it is the first
-  // end.
+  // For each vertex of the domain where those segments begin in the list that have it for their
+  // first end.
   std::vector<std::ptrdiff_t> from_;
   std::vector<std::size_t> place_in_chain_;  // of Steiner points
   std::vector<bool> touches_;

@@ -1,4 +1,5 @@
-// The facets of cells that a lattice repeats: facets of which one is the other, moved, are one.
+// The facets of cells that a lattice repeats: two facets are one if the lattice moves one to the
+// other.
 #pragma once
 
 #include <vector>
@@ -28,7 +29,7 @@ struct FacetPlace {
 };
 
 // All of them, by facet and then by cell.
-// Requires: cells of two corners or more, of which no two are the same.
+// Requires: cells of two corners or more, no two of them the same.
 std::vector<FacetPlace> facet_places(const std::vector<PeriodicCell>& cells);
 
 }  // namespace circumspect::check

@@ -89,7 +89,7 @@ TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
   const auto no_cell = [](const auto&) {};
   CHECK(lists_of(dangling_faces({{9, 1}, {1, 9}, {-3, 1}}, no_cell, 2)) ==
         std::vector<Simplex>{{9, 1}, {-3, 1}});
-  // A lone vertex is no face of a cell, but a cell of one vertex is that vertex.
+  // A lone vertex is not a face of a cell, but a cell of one vertex is that vertex.
   CHECK(dangling_faces({{3}}, one_cell, 7).size() == 1);
   CHECK(dangling_faces(
             {{3}}, [](const auto& visit) { visit(Simplex{3}); }, 7)

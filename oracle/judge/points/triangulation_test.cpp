@@ -247,7 +247,7 @@ TEST_CASE("covered twice: a small triangle within a large one, also where it tou
   CHECK(judge_points(Claim::kTriangulation, touching).tallies().at(Rule::kCoveredTwice).count == 2);
 }
 
-TEST_CASE("coplanar boundary facets are no fault, nor is a single simplex") {
+TEST_CASE("coplanar boundary facets are not a fault, nor is a single simplex") {
   const ExactMesh split{PointSet({{0, 0}, {1, 0}, {2, 0}, {1, 1}}), {{0, 1, 3}, {1, 2, 3}}};
   CHECK(broken(split, By::kLemma).empty());
   CHECK(broken(split, By::kDefinition).empty());

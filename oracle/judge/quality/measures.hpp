@@ -39,7 +39,7 @@ struct Place {
   std::uint8_t size = 0;
 };
 
-// A value in two parts, of which the second is positive unless the simplex is flat.
+// A value in two parts; the second is positive unless the simplex is flat.
 template <class Number>
 struct Quotient {
   Number above, below;
@@ -137,7 +137,7 @@ N spread(const SquaredLengths<3, N>& l) {
   return volume_144(l);
 }
 
-// Calls visit(place, quotient) for every value of which the measure is an extreme. Requires: the
+// Calls visit(place, quotient) for every value that the measure is an extreme of. Requires: the
 // measure exists for the dimension.
 template <std::size_t k, class N, class Visit>
 [[gnu::always_inline]] inline void each_value(Measure measure, const SquaredLengths<k, N>& l,

@@ -1,5 +1,5 @@
 // The extremes, histograms, size and topology of meshes: against the definition of each measure,
-// and of meshes of which everything is known.
+// and of meshes about which everything is known.
 #include "oracle/judge/quality/survey.hpp"
 
 #include <algorithm>

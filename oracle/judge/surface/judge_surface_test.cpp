@@ -49,7 +49,7 @@ TEST_CASE("edges of more than two triangles are counted and not judged") {
   CHECK(pages.surface->interior_edges == 0);
 }
 
-TEST_CASE("what is no surface is refused, with what to do") {
+TEST_CASE("what is not a surface is refused, with what to do") {
   const auto fault = [](const std::vector<Simplex>& simplices) {
     return fault_of_surface(in_rows(
         {PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), simplices}));

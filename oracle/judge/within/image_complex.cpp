@@ -140,9 +140,9 @@ class Building {
     }
   }
 
-  // The images are faces of the mesh, which is a complex only if they are one. Images of which no
-  // vertex is moved are what the cells are, which is valid. So only those have to be looked at that
-  // are moved, and what is beside them.
+  // The images are faces of the mesh, which is a complex only if they are one. Images without a
+  // moved vertex are what the cells are, which is valid. So only moved ones have to be looked at,
+  // and what is beside them.
   std::optional<Violation> intersection_of_images() const {
     std::vector<RoundedPoint> points(mesh_.points.size());
     for (const Vertex v : in_mesh_) points[static_cast<std::size_t>(v)] = rounded(mesh_.points[v]);

@@ -24,7 +24,7 @@ struct NotJudged {
 // move, the verdict says which cells have no image. A mesh for which the claim holds as it stands
 // is moved by 0.
 // `flat`: where polygons of the domain are joined that are not in one plane (nearly_coplanar.hpp),
-// the domain of which they were joined; the claim as it stands is about that one.
+// the domain they were joined from; the claim as it stands is about that one.
 // `markers`: which triangles of the mesh are to be the image of a polygon, where there is a choice.
 // `work`: how much may be done before the search for such a move is given up; none: whatever it
 // takes. Requires: as judge_exactly; squared_distance >= 0.

@@ -19,7 +19,7 @@ PiecewiseLinearComplex valid(const PiecewiseLinearInput& input) {
 // About 0.1 degrees, and so many billionths.
 Flatness flatness(long bits) { return {Rational(3, 1'000'000), bits * kBit * (bits * kBit)}; }
 
-// A square of two triangles, a corner of which is `bits` billionths too high.
+// A square of two triangles, one of whose corners is `bits` billionths too high.
 PiecewiseLinearInput bent_square(long bits) {
   PiecewiseLinearInput input;
   input.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, bits * kBit}};

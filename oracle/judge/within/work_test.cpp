@@ -74,7 +74,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("within: numbers whose squares are no doubles take no more work") {
+TEST_CASE("within: numbers whose squares are not doubles take no more work") {
   Random random(2);
   int moved = 0;
   for (const std::size_t dimension : {2, 3, 3, 3, 2, 2}) {

@@ -195,7 +195,7 @@ function cuts(drawing) {
   const n = unit(cross(sub(b, a), sub(c, a)));
   for (const simplex of picture.near) {
     const corners = section(drawing.all(simplex), n, dot(n, a));
-    // A face of the simplex in the polygon is no cut.
+    // A face of the simplex in the polygon is not a cut.
     if (simplex.length !== 4 || corners.every((p) => drawing.all(simplex).includes(p))) continue;
     corners.forEach((p, i) => drawing.line(p, corners[(i + 1) % corners.length], 'cut',
       'where simplices of the mesh pass through the polygon'));
