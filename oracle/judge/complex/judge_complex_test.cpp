@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <random>
 
 #include <doctest/doctest.h>
 
@@ -40,6 +41,37 @@ TEST_CASE("a triangle inside another breaks no condition of facets and ridges") 
   CHECK(broken({with_hole, filled}).empty());
   filled.push_back({3, 4, 5});
   CHECK(broken({with_hole, filled}) == Tallies{{Rule::kOverlap, 1}});
+}
+
+TEST_CASE("a simplex overlaps with one inside of it, whatever face they share, and their numbers") {
+  const std::vector<Point> plane = {{0, 0}, {8, 0}, {0, 8}, {2, 2}, {3, 2}, {2, 3}};
+  const std::vector<Point> space = {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12},
+                                    {2, 2, 2}, {3, 2, 2},  {2, 3, 2},  {2, 2, 3}};
+  std::mt19937 random(1);
+  for (const std::vector<Point>& points : {plane, space}) {
+    const auto size = static_cast<Vertex>(points.size() / 2);
+    Simplex outer, inner;
+    for (Vertex v = 0; v < size; ++v) {
+      outer.push_back(v);
+      inner.push_back(size + v);
+    }
+    for (Vertex common = 0; common < size; ++common) {  // vertices of the face
+      CAPTURE(common);
+      for (int numbering = 0; numbering < 20; ++numbering) {
+        Simplex number = first_subset(points.size());
+        std::shuffle(number.begin(), number.end(), random);
+        ListedComplex mesh{points, {outer, inner}};
+        for (std::size_t v = 0; v < points.size(); ++v) {
+          mesh.points[static_cast<std::size_t>(number[v])] = points[v];
+        }
+        for (Simplex& simplex : mesh.simplices) {
+          for (Vertex& v : simplex) v = number[static_cast<std::size_t>(v)];
+        }
+        CHECK(broken(mesh, {.allow_unused = true}) == Tallies{{Rule::kOverlap, 1}});
+      }
+      inner[static_cast<std::size_t>(common)] = common;
+    }
+  }
 }
 
 TEST_CASE("what is set apart is named, its vertices are used, and the others are judged") {
