@@ -13,18 +13,28 @@ namespace {
 
 using definition::ListedComplex;
 
-// The tallies of both ways, which are the same.
-std::map<Rule, std::size_t> broken(const ListedComplex& mesh, const ComplexDemands& demands = {}) {
-  std::map<Rule, std::size_t> of_both[2];
-  for (const bool by_definition : {false, true}) {
-    const Verdict verdict = judge_complex(mesh, demands, by_definition, 0);
-    CHECK(verdict.holds() == verdict.tallies().empty());
-    for (const auto& [rule, tally] : verdict.tallies()) of_both[by_definition][rule] = tally.count;
-  }
-  CHECK(of_both[0] == of_both[1]);
-  return of_both[0];
-}
 using Tallies = std::map<Rule, std::size_t>;
+
+Tallies tallies_of(const ListedComplex& mesh, const ComplexDemands& demands, bool by_definition,
+                   std::size_t max_violations = 0) {
+  const Verdict verdict = judge_complex(mesh, demands, by_definition, max_violations);
+  CHECK(verdict.holds() == verdict.tallies().empty());
+  Tallies tallies;
+  for (const auto& [rule, tally] : verdict.tallies()) tallies[rule] = tally.count;
+  return tallies;
+}
+
+// The tallies of both ways, which are the same: also of the simplices from the last to the first, and
+// however few witnesses are kept.
+Tallies broken(const ListedComplex& mesh, const ComplexDemands& demands = {}) {
+  const Tallies tallies = tallies_of(mesh, demands, false);
+  CHECK(tallies == tallies_of(mesh, demands, true));
+  CHECK(tallies == tallies_of(mesh, demands, false, 1));
+  ListedComplex reversed = mesh;
+  std::reverse(reversed.simplices.begin(), reversed.simplices.end());
+  CHECK(tallies == tallies_of(reversed, demands, false));
+  return tallies;
+}
 
 const std::vector<Point> kSquare = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 1}, {1, 2}};
 
@@ -192,6 +202,14 @@ TEST_CASE("crossed diagonals are named once, unless a flat simplex has them") {
   CHECK(witness.face == Simplex{0, 2});
   CHECK(witness.vertices == std::vector<Vertex>{1, 3});
   CHECK(witness.point == Point{0, 0, 0});
+  CHECK(verdict.complex->crossed_quadrilaterals == 1);
+  // Only if all four of its triangles are there.
+  for (std::size_t s = 0; s < halves.size(); ++s) {
+    std::vector<Simplex> fewer = halves;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(s));
+    CHECK(broken({points, fewer}) == Tallies{{Rule::kFacesCross, 1}});
+    CHECK(judge_complex({points, fewer}, {}, false, 0).complex->crossed_quadrilaterals == 0);
+  }
   halves.push_back({0, 1, 2, 3});
   CHECK(broken({points, halves}) == Tallies{{Rule::kDegenerateSimplex, 1}});
 }
