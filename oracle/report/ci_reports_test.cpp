@@ -141,6 +141,20 @@ TEST_CASE("a text comes back from XML as it was") {
   CHECK(for_xml(all).find_first_of("<>\"") == std::string::npos);
 }
 
+TEST_CASE("json: a document comes back as it was, and has nothing that a terminal obeys") {
+  std::string all;
+  for (int byte = 1; byte < 128; ++byte) all += static_cast<char>(byte);
+  for (const std::string& text : {all, std::string("\xc2\x9b"
+                                                   "31m \xc3\xa9 \xe2\x80\xae")}) {
+    const std::string written = document_text(Json{{"text", text}});
+    CHECK(Json::parse(written)["text"] == text);
+    CHECK(std::all_of(written.begin(), written.end(), [](char c) {
+      return c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
+    }));
+    CHECK(written.find("\xc2\x9b") == std::string::npos);
+  }
+}
+
 TEST_CASE("json: a ball has a radius unless its square is negative") {
   for (const int squared : {-1, 0, 1, 2}) {
     const Json object = ball({{0, 0}, squared});
