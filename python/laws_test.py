@@ -321,3 +321,43 @@ def test_fewer_points_are_drawn_exactly_as_in_doubles():
             assert doubles.tolist() == exact.astype(float).tolist()
             sizes |= {len(doubles)} if fewer else set()
     assert min(sizes) < 8
+
+
+def test_a_face_that_is_no_triangle_is_refused_wherever_it_stands():
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces = np.array([[3, 0, 1, 2], [3, 0, 1, 3], [3, 0, 2, 3], [3, 1, 2, 3]])
+    assert circumspect.check(types.SimpleNamespace(points=points, faces=faces.ravel()), claim="complex")
+    for place in range(4):
+        other = faces.copy()
+        other[place, 0] = 4
+        with pytest.raises(ValueError, match="a surface of triangles, found other faces"):
+            circumspect.check(types.SimpleNamespace(points=points, faces=other.ravel()), claim="complex")
+
+
+def test_edges_stay_where_a_coordinate_is_dropped():
+    flat, heights = [[0, 0], [4, 0], [4, 4], [0, 4], [9, 0], [9, 4]], [1, 5, 2, 7, 3, 9]
+    domain = circumspect.Domain(flat, [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])
+    cells = {"triangle": [[0, 1, 2], [0, 2, 3]], "line": [[4, 5]]}
+    lifted = types.SimpleNamespace(points=[[*row, z] for row, z in zip(flat, heights)], cells_dict=cells)
+    assert circumspect.check(lifted, domain=domain, drop="z")
+    assert circumspect.check(types.SimpleNamespace(points=flat, cells_dict=cells), domain=domain)
+
+
+def test_what_is_certified_is_what_was_judged():
+    points, light, heavy = [[0, 0], [4, 0], [5, 5], [0, 4]], [0, 0, 0, 0], [9, 0, 9, 0]
+    for simplices in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]):
+        for weights in (light, heavy):
+            holds = circumspect.check(points, simplices, "weighted-delaunay", weights=weights)
+            document = circumspect.certify(points, simplices, "weighted-delaunay", weights=weights)
+            assert document.startswith("circumspect-certificate" if holds else "circumspect-refutation")
+
+
+def test_a_site_without_a_region_has_no_cell():
+    """SciPy gives it the region -1, which is not the last of its list."""
+    square, regions = [[0, 0], [4, 0], [4, 4], [0, 4]], [[], [0, -1]]
+    for missing in range(4):
+        diagram = types.SimpleNamespace(points=square, vertices=[[2, 2]], regions=regions, ridge_points=[[0, 1], [1, 2], [2, 3], [3, 0]],
+                                        point_region=[-1 if site == missing else 1 for site in range(4)])
+        assert circumspect.check_voronoi(diagram).rules == {"voronoi.cell-missing": 1}
+    diagram.point_region = [1, 1, 1, 1]
+    assert circumspect.check_voronoi(diagram)
