@@ -20,7 +20,9 @@ Tallies tallies_of(const ListedComplex& mesh, const ComplexDemands& demands, boo
   const Verdict verdict = judge_complex(mesh, demands, by_definition, max_violations);
   CHECK(verdict.holds() == verdict.tallies().empty());
   Tallies tallies;
-  for (const auto& [rule, tally] : verdict.tallies()) tallies[rule] = tally.count;
+  std::size_t all = 0;
+  for (const auto& [rule, tally] : verdict.tallies()) all += tallies[rule] = tally.count;
+  if (max_violations == 0) CHECK(verdict.violations().size() == all);
   return tallies;
 }
 
@@ -214,10 +216,34 @@ TEST_CASE("crossed diagonals are named once, unless a flat simplex has them") {
   CHECK(broken({points, halves}) == Tallies{{Rule::kDegenerateSimplex, 1}});
 }
 
+TEST_CASE("each edge of a surface that has a border is named if it is to be closed") {
+  const std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  std::vector<Simplex> faces = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  CHECK(broken({points, faces}, {.closed = true}).empty());
+  faces.pop_back();
+  CHECK(broken({points, faces}).empty());
+  CHECK(broken({points, faces}, {.closed = true}) == Tallies{{Rule::kNotClosed, 3}});
+}
+
+TEST_CASE("a simplex of another size is named with both sizes") {
+  const Verdict verdict =
+      judge_complex({{{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}, {0, 1}}}, {}, false, 0);
+  REQUIRE(verdict.violations().size() == 1);
+  const Witness& witness = verdict.violations().front().witness;
+  REQUIRE(witness.values.size() == 2);
+  CHECK(witness.values[0].value == 2);
+  CHECK(witness.values[1].value == 3);
+}
+
 TEST_CASE("demands that make no sense of a mesh are said") {
+  CHECK(fault_of_demands({.manifold = true}, 4, 3).empty());
+  CHECK(fault_of_demands({.manifold = true}, 5, 4)
+            .find("for --manifold, found simplices of dimension 4") != std::string::npos);
+  const Mesh ragged = in_rows({PointSet({{0, 0}, {4, 0}, {0, 4}}), {{}, {0, 1, 2}, {0, 1}}});
+  CHECK(fault_of_demands(ragged, {.closed = true}).find("--closed") != std::string::npos);
+  CHECK(fault_of_demands(ragged, {.manifold = true}).empty());
   CHECK(fault_of_demands({}, 3, 2).empty());
   CHECK(fault_of_demands({}, 0, 2).find("found none") != std::string::npos);
-  CHECK(fault_of_demands({.manifold = true}, 5, 4).find("--manifold") != std::string::npos);
   CHECK(fault_of_demands({.oriented = Orientations::kPositive}, 3, 3).find("--oriented=same") !=
         std::string::npos);
   CHECK(fault_of_demands({.closed = true}, 4, 3).find("--closed") != std::string::npos);

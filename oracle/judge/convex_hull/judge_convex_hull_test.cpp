@@ -126,6 +126,7 @@ TEST_CASE("what cannot be a list of facets is refused, with what to do") {
         "expected the facets of a hull, each of 2 vertices, found simplices of 3 vertices: list "
         "the boundary alone, or ask --claim triangulation of the mesh");
   CHECK(fault(kSquare, {{0, 1}}) == "");
+  CHECK(fault({{1, 1}, {2, 3}}, {{0}, {1}}) == "");
   CHECK(fault({{1, 1}}, {}) ==
         "expected at least two points for the claim convex-hull, found 1: one point has no "
         "boundary");
