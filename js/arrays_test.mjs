@@ -51,13 +51,48 @@ test('rows that differ, rows of nothing and arrays that are none are refused', (
   assert.deepEqual([undefined, null, [], [[0, 1]]].map((value) => listOf(value, 'segments')), [[], [], [], [[0, 1]]]);
 });
 
-test('meshes of libraries are known by their names', () => {
+test('an index is the same number whatever stores it', () => {
+  const all = [-(2 ** 53) + 1, -(2 ** 31) - 1, -(2 ** 31), -1, 0, 1, 2 ** 31 - 1, 2 ** 31, 2 ** 53 - 1];
+  const read = (values, columns) => Array.from(indicesOf(values, 'edges', columns).indices, BigInt);
+  const kinds = [Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array, Float64Array];
+  for (const first of all) {
+    for (const second of all) {
+      const expected = [BigInt(first), BigInt(second)];
+      for (const values of [[[first, second]], [expected], [[first], [BigInt(second)]]]) assert.deepEqual(read(values), expected);
+      assert.deepEqual(read(BigInt64Array.from(expected), 2), expected);
+      for (const Kind of kinds) {
+        const stored = Kind.of(first, second);
+        if (stored[0] === first && stored[1] === second) assert.deepEqual(read(stored, 2), expected, Kind.name);
+      }
+    }
+  }
+});
+
+test('of a mesh of any library all parts are known, whatever it calls them', () => {
+  const rows = { 2: [[0, 0], [1, 0], [0, 1]], 3: [[0, 0, 0], [1, 0, 0], [0, 1, 0]] };
+  const simplices = [[0, 1, 2]];
+  for (const pointsName of ['points', 'coords', 'vertices', 'positions']) {
+    for (const simplicesName of ['simplices', 'triangles', 'tetrahedra', 'cells']) {
+      for (const dimension of [2, 3]) {
+        const points = rows[dimension];
+        for (const more of [{}, { weights: [1, 2, 3] }, { dimension }, { dimension, weights: [1, 2, 3] }]) {
+          const parts = partsOf({ [pointsName]: points, [simplicesName]: simplices, ...more });
+          assert.deepEqual({ ...parts }, { points, simplices, vertices: undefined, dimension: undefined, weights: undefined, ...more });
+        }
+      }
+    }
+  }
   const flat = Float64Array.of(0, 0, 1, 0, 0, 1);
   const triangles = Uint32Array.of(0, 1, 2);
   assert.equal(partsOf({ coords: flat, triangles, hull: [] }).dimension, 2);
-  assert.equal(partsOf({ positions: [[0, 0, 0]], cells: [] }).dimension, undefined);
+  assert.equal(partsOf({ points: flat, triangles, dimension: 3 }).dimension, 3);
   assert.deepEqual(simplicesOf({ simplices: triangles, vertices: 3 }), { simplices: triangles, vertices: 3 });
   assert.throws(() => partsOf({ points: flat }), /^TypeError: .* found one with points$/);
+});
+
+test('no points are no rows of the plane', () => {
+  const { rows, columns } = numbersOf([], 'points');
+  assert.deepEqual({ rows, columns }, { rows: 0, columns: 2 });
 });
 
 test('what the package names is there, and index.d.ts declares what there is', () => {

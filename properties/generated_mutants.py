@@ -152,9 +152,10 @@ def number(chosen_mutants):
 
 def build(work, chosen_mutants, targets):
     """Compiles them, and drops those of lines that do not compile, such as arguments of templates."""
+    size = number(chosen_mutants)
+    write_sources(work, chosen_mutants, size)  # CMake wants to see them
     subprocess.run(["cmake", "-DCIRCUMSPECT_QUICK_BUILD=ON", "-DCIRCUMSPECT_BUILD_TESTS=ON", "-DCIRCUMSPECT_BUILD_MPI=ON",
                     "-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF", "--preset", "release"], cwd=work, check=True, stdout=subprocess.DEVNULL)
-    size = number(chosen_mutants)
     while True:
         write_sources(work, chosen_mutants, size)
         run = subprocess.run(["cmake", "--build", "--preset", "release", "--target", *targets, "--", "-k", "0"],

@@ -254,6 +254,13 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     RC_ASSERT(by_lemma.holds() == by_definition.holds());
     seen.held += by_lemma.holds() ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
+    // Two cells with a common point are named, and how one of them is moved there.
+    for (const Violation& violation : by_lemma.violations()) {
+      const Witness& witness = violation.witness;
+      if (violation.rule == Rule::kCoveredTwice) RC_ASSERT(witness.simplices.size() == 2);
+      if (violation.rule == Rule::kCoveredTwice) RC_ASSERT(witness.point.has_value());
+      if (violation.rule == Rule::kOverlap) RC_ASSERT(!witness.values.empty());
+    }
   }));
 }
 
@@ -270,6 +277,25 @@ TEST_CASE("periodic-delaunay: by lemma and by definition it holds of the same me
                           Rule::kUnusedPoint, Rule::kCoveredTwice, Rule::kFacetNotLocal}) {
     CAPTURE(identifier(rule));
     CHECK(occurs(seen.broken[rule]));
+  }
+}
+
+TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either direction") {
+  Mesh listed;
+  listed.coordinates = numbers_of({{0, 0}}, 2);
+  listed.simplices = IndexLists({{0, 0, 0}});
+  Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 0, 1}}};
+  CHECK(check::fault_of_periodic(listed, how).empty());
+  const Vertex most = Vertex{1} << 32U;
+  for (Vertex& offset : how.offsets.front()) {
+    for (const Vertex beyond : {most, -most}) {
+      offset = beyond;
+      CHECK(check::fault_of_periodic(listed, how).empty());
+      offset += beyond > 0 ? 1 : -1;
+      CHECK(check::fault_of_periodic(listed, how).find("offsets of at most 2^32, found") !=
+            std::string::npos);
+    }
+    offset = 0;
   }
 }
 

@@ -35,8 +35,11 @@ def test_a_number_is_the_same_in_every_place_of_a_list():
         for order in itertools.permutations(range(3)):
             points = [[rows[i][0], beside] for i in order]
             place = [order.index(i) for i in range(3)]
-            assert circumspect.check(points, [[place[0], place[2]], [place[2], place[1]]])
-            assert not circumspect.check(points, [[place[0], place[1]]])
+            negative = [[-x, y] for x, y in points]
+            of_integers = [np.array(some) for some in (points, negative) if isinstance(beside, int)]
+            for given in (points, negative, *of_integers):
+                assert circumspect.check(given, [[place[0], place[2]], [place[2], place[1]]])
+                assert not circumspect.check(given, [[place[0], place[1]]])
 
 
 @pytest.mark.parametrize("kinds", itertools.product([np.int32, np.int64, np.uint32, np.int8], repeat=2))
@@ -76,6 +79,26 @@ def test_cells_of_every_dimension_arrive():
     # In whatever order they are listed.
     turned = types.SimpleNamespace(points=domain.points, cells_dict=dict(reversed(cells.items())))
     assert circumspect.check(turned, domain=domain)
+
+
+def test_edges_beside_triangles_arrive():
+    square = [[0, 0], [4, 0], [4, 4], [0, 4], [9, 0], [9, 4]]
+    domain = circumspect.Domain(square, [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])
+    cells = {"triangle": [[0, 1, 2], [0, 2, 3]], "line": [[4, 5]]}
+    assert circumspect.check(types.SimpleNamespace(points=square, cells_dict=cells), domain=domain)
+    assert not circumspect.check(types.SimpleNamespace(points=square, cells_dict={"triangle": cells["triangle"]}), domain=domain)
+
+
+def test_segments_are_resolved_beside_every_other_option():
+    points, crossing = [[0, 0], [4, 0], [4, 4], [0, 4]], [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [1, 3]]
+    fan = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    edges = [*crossing[:4], [0, 4], [1, 4], [2, 4], [3, 4]]
+    for options, filled in (({}, fan), ({"holes": [[2, 1]]}, fan[1:]), ({"regions": [[2, 1]]}, fan[:1]), ({"kind": "even-odd"}, fan)):
+        domain = circumspect.Domain(points, crossing, resolve=True, **options)
+        for triangles in (fan, filled):
+            cells = {"triangle": triangles, "line": edges}
+            verdict = circumspect.check(types.SimpleNamespace(points=[*points, [2, 2]], cells_dict=cells), domain=domain)
+            assert bool(verdict) == (triangles == filled), options
 
 
 @pytest.mark.parametrize("count", [0, 3, 5])
@@ -186,3 +209,155 @@ def test_the_box_of_a_diagram_has_two_corners():
     for box in ([[0, 0]], [[-1, -1], [5, 5], [6, 6]]):
         with pytest.raises(ValueError, match=f"a box of two corners, found {len(box)}"):
             circumspect.check_voronoi(square, *cells, box=box)
+
+
+@pytest.mark.parametrize("axis", "xyz")
+def test_to_drop_a_coordinate_is_to_leave_out_its_column(axis):
+    points = [[0, 0, 1], [4, 1, 2], [5, 5, 0], [1, 4, 3], [2, 3, 5]]
+    triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 2, 4]]
+    columns = np.delete(np.array(points), "xyz".index(axis), axis=1)
+    for exact in (False, True):
+        given = [[Fraction(x, 3) for x in row] for row in points] if exact else points
+        left = [[Fraction(int(x), 3) for x in row] for row in columns] if exact else columns
+        for options in ({}, {"demands": "oriented=positive"}):
+            assert circumspect.check(given, triangles, "complex", drop=axis, **options).to_dict() == \
+                circumspect.check(left, triangles, "complex", **options).to_dict()
+
+
+def area_of(domain):
+    """Of its triangulation."""
+    corners = np.array(domain.points, dtype=float)[circumspect.constrained_delaunay(domain).simplices]
+    return pytest.approx(np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 2)
+
+
+def test_what_is_wound_around_twice_is_entered_an_even_number_of_times():
+    points = [[x, y] for r in (6, 4) for x, y in ((-r, -r), (r, -r), (r, r), (-r, r))]
+    loops = [[s + i, s + (i + 1) % 4] for s in (0, 4) for i in range(4)]
+    areas = {"winding": 144, "even-odd": 144 - 64, "enclosed": 144, "hull": 144}
+    for kind, area in areas.items():
+        assert area == area_of(circumspect.Domain(points, loops, kind=kind))
+    turned = loops[:4] + [edge[::-1] for edge in loops[4:]]
+    assert area_of(circumspect.Domain(points, turned, kind="winding")) == 144 - 64
+
+
+def test_each_hole_of_a_polygon_is_a_hole_in_whatever_order_they_are_given():
+    """A lid with two square holes, and a floor with the same: of four seeds none may be lost or exchanged."""
+    def square(x, y, r, z):
+        return [[x - r, y - r, z], [x + r, y - r, z], [x + r, y + r, z], [x - r, y + r, z]]
+
+    points = [p for z in (0, 4) for x, r in ((6, 6), (3, 1), (9, 1)) for p in square(x, 6, r, z)]
+    sides = [[s + i, s + (i + 1) % 4, s + (i + 1) % 4 + 12, s + i + 12] for s in (0, 4, 8) for i in range(4)]
+    lids = [[list(range(s + k, s + k + 4)) for k in (0, 4, 8)] for s in (0, 12)]
+    seeds = {12: [[3, 6, 0], [9, 6, 0]], 13: [[3, 6, 4], [9, 6, 4]]}
+    for order in ([12, 13], [13, 12]):
+        domain = circumspect.Domain(points, polygons=[*sides, *lids], polygon_holes={key: seeds[key] for key in order})
+        built = circumspect.constrained_delaunay(domain).simplices
+        corners = np.array(points, dtype=float)[built]
+        volume = np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 6
+        assert volume == pytest.approx((144 - 2 * 4) * 4)
+        again = circumspect.Domain.of_lists(domain.lists())
+        assert {key: rows.tolist() for key, rows in again.polygon_holes.items()} == {
+            key: rows.tolist() for key, rows in domain.polygon_holes.items()}
+    for none in (-1, 14):
+        with pytest.raises(ValueError, match=f"one of 14 polygons, found {none}"):
+            circumspect.Domain(points, polygons=[*sides, *lids], polygon_holes={none: [[3, 6, 0]]})
+
+
+def test_a_domain_is_the_same_by_its_lists():
+    for points, segments in (([[0, 0], [4, 0], [4, 4], [0, 4]], []), ([[0, 0], [4, 0], [0, 4]], [[0, 1], [1, 2], [2, 0]])):
+        for kind in (None, "hull", *(["enclosed"] if segments else [])):
+            domain = circumspect.Domain(points, segments, kind=kind)
+            again = circumspect.Domain.of_lists(domain.lists())
+            assert again.kind == ("hull" if kind == "hull" or not segments else "enclosed")
+            assert area_of(again) == area_of(domain).expected
+            fewer = circumspect.domains.with_cells_of(domain, range(len(segments)), [])
+            assert fewer.kind == domain.kind and (fewer.points == domain.points).all()
+
+
+def test_lines_of_every_form_arrive_whole():
+    corners = [[0, 0], [4, 0], [4, 0], [4, 4], [0, 4], [1, 2]]
+    pairs = [[0, 1], [1, 2], [2, 3], [3, 4]]
+    text = ", ".join(f"{x} {y}" for x, y in corners)
+    measured = ", ".join(f"{x} {y} {i}" for i, (x, y) in enumerate(corners))
+    loose = {"type": "LineString", "coordinates": [[9, 9], [8, 9]]}
+    line = {"type": "LineString", "coordinates": corners}
+    for shape in (line, f"LINESTRING ({text})", f"LINESTRING M ({measured})", {"type": "MultiLineString", "coordinates": [corners]}):
+        domain = circumspect.Domain.from_rings(shape)
+        assert domain.points.tolist() == [[0, 0], [4, 0], [4, 4], [0, 4], [1, 2]] and domain.segments.tolist() == pairs
+    # Vertices are numbered as they occur.
+    both = circumspect.Domain.from_rings({"type": "GeometryCollection", "geometries": [line, loose]})
+    assert both.points[:5].tolist() == domain.points.tolist() and both.segments.tolist() == [*pairs, [5, 6]]
+
+
+def test_a_verdict_that_was_pickled_says_the_same():
+    import pickle
+
+    torn = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0], [1, 1]]
+    for verdict in (circumspect.check(torn, [[0, 1, 2], [4, 5, 3]], duplicates="merge"), circumspect.check(POINTS, SIMPLICES[1:])):
+        again = pickle.loads(pickle.dumps(verdict))
+        assert str(again) == str(verdict) and again.notes == verdict.notes and again.to_dict() == verdict.to_dict()
+        assert again.causes == verdict.to_dict().get("causes", []) and bool(again) == bool(verdict)
+        listed = [(v.rule, v.face, v.vertices, v.simplices) for v in again.violations]
+        assert listed == [(v["rule"], v.get("face"), v["vertices"], v["simplices"]) for v in verdict.to_dict()["violations"]]
+
+
+def test_what_a_comparison_finds_only_in_one_is_only_in_the_other_when_they_change_places():
+    points = [[0, 0], [4, 0], [0, 4], [1, 1]]
+    a, b = (points, [[0, 1, 2]]), (points[:3], [[0, 1, 2]])
+    light, heavy = [0, 0, 0, -9], [0, 0, 1]
+    for weights in ((None, None), (light, None), (None, heavy), (light, heavy)):
+        found = circumspect.compare(a, b, weights=weights)
+        swapped = circumspect.compare(b, a, weights=weights[::-1])
+        assert (found.only_in_a, found.only_in_b) == (swapped.only_in_b, swapped.only_in_a)
+        assert len(found.only_in_a["points"]) > 0 and bool(found) == bool(swapped)
+
+
+def test_fewer_points_are_drawn_exactly_as_in_doubles():
+    sizes = set()
+    for seed in range(12):
+        for fewer in (False, True):
+            doubles = circumspect.generate("integers", dimension=2, points=12, seed=seed, fewer=fewer)
+            exact = circumspect.generate("integers", dimension=2, points=12, seed=seed, fewer=fewer, exact=True)
+            assert doubles.tolist() == exact.astype(float).tolist()
+            sizes |= {len(doubles)} if fewer else set()
+    assert min(sizes) < 8
+
+
+def test_a_face_that_is_no_triangle_is_refused_wherever_it_stands():
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces = np.array([[3, 0, 1, 2], [3, 0, 1, 3], [3, 0, 2, 3], [3, 1, 2, 3]])
+    assert circumspect.check(types.SimpleNamespace(points=points, faces=faces.ravel()), claim="complex")
+    for place in range(4):
+        other = faces.copy()
+        other[place, 0] = 4
+        with pytest.raises(ValueError, match="a surface of triangles, found other faces"):
+            circumspect.check(types.SimpleNamespace(points=points, faces=other.ravel()), claim="complex")
+
+
+def test_edges_stay_where_a_coordinate_is_dropped():
+    flat, heights = [[0, 0], [4, 0], [4, 4], [0, 4], [9, 0], [9, 4]], [1, 5, 2, 7, 3, 9]
+    domain = circumspect.Domain(flat, [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])
+    cells = {"triangle": [[0, 1, 2], [0, 2, 3]], "line": [[4, 5]]}
+    lifted = types.SimpleNamespace(points=[[*row, z] for row, z in zip(flat, heights)], cells_dict=cells)
+    assert circumspect.check(lifted, domain=domain, drop="z")
+    assert circumspect.check(types.SimpleNamespace(points=flat, cells_dict=cells), domain=domain)
+
+
+def test_what_is_certified_is_what_was_judged():
+    points, light, heavy = [[0, 0], [4, 0], [5, 5], [0, 4]], [0, 0, 0, 0], [9, 0, 9, 0]
+    for simplices in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]):
+        for weights in (light, heavy):
+            holds = circumspect.check(points, simplices, "weighted-delaunay", weights=weights)
+            document = circumspect.certify(points, simplices, "weighted-delaunay", weights=weights)
+            assert document.startswith("circumspect-certificate" if holds else "circumspect-refutation")
+
+
+def test_a_site_without_a_region_has_no_cell():
+    """SciPy gives it the region -1, which is not the last of its list."""
+    square, regions = [[0, 0], [4, 0], [4, 4], [0, 4]], [[], [0, -1]]
+    for missing in range(4):
+        diagram = types.SimpleNamespace(points=square, vertices=[[2, 2]], regions=regions, ridge_points=[[0, 1], [1, 2], [2, 3], [3, 0]],
+                                        point_region=[-1 if site == missing else 1 for site in range(4)])
+        assert circumspect.check_voronoi(diagram).rules == {"voronoi.cell-missing": 1}
+    diagram.point_region = [1, 1, 1, 1]
+    assert circumspect.check_voronoi(diagram)

@@ -41,10 +41,18 @@ TEST_CASE(
   CHECK(results.back()["ruleId"] == "input");
   CHECK(document["runs"][0]["tool"]["driver"]["rules"].size() >= 2);
   // The same whatever is printed.
-  run({"check", good, bad, none, "--junit", junit, "--quiet"});
-  CHECK(contents(junit) == xml);
-  run({"check", good, bad, none, "--junit", junit, "--format", "json"});
-  CHECK(contents(junit) == xml);
+  const std::string code = contents(sarif);
+  for (const std::vector<std::string>& form : {std::vector<std::string>{"--quiet"},
+                                               {"--format", "json"},
+                                               {"--quiet", "--format", "json"}}) {
+    std::vector<std::string> words = {"check", good, bad, none, "--junit", junit, "--sarif", sarif};
+    words.insert(words.end(), form.begin(), form.end());
+    folder.write("junit.xml", "");
+    folder.write("report.sarif", "");
+    CHECK(run(words).exit_code == all.exit_code);
+    CHECK(contents(junit) == xml);
+    CHECK(contents(sarif) == code);
+  }
 }
 
 TEST_CASE("check: reports are written to files of their own") {

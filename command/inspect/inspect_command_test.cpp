@@ -192,6 +192,17 @@ TEST_CASE("inspect: whether there is a CDT may stay open, unless --decide asks")
   const Run decided = run({"inspect", small, "--decide"});
   CHECK(decided.exit_code == 0);
   CHECK(has(decided.out, " cdt none\n"));
+  CHECK(has(decided.out, "triangulation without Steiner points: none (proved)\n"));
+}
+
+TEST_CASE("inspect: a set is decided to be generic if at most so many subsets are to be tested") {
+  const ScratchFolder folder;
+  const std::string five = folder.write("p.node", "5 2\n1 0 0\n2 9 1\n3 4 7\n4 -3 5\n5 2 -8\n");
+  const auto with = [&](const std::string& subsets) {
+    return run({"inspect", five, "--only", "genericity", "--subsets", subsets}).out;
+  };
+  for (const char* const enough : {"0", "5", "6"}) CHECK(has(with(enough), " generic unique\n"));
+  CHECK(has(with("4"), " generic-undecided unique\n"));
 }
 
 TEST_CASE("inspect --max-errors 0: what crosses is printed, and JSON has all up to its limit") {

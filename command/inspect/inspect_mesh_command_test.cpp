@@ -1,4 +1,6 @@
 // inspect of a mesh: its topology, its size, and what its simplices measure.
+#include <tuple>
+
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
@@ -42,6 +44,34 @@ TEST_CASE("inspect of a mesh: what is not a complex, and what is set apart") {
   const Run branched = run({"inspect", kCorpus + "/reject/complex.not-manifold.ele"});
   CHECK(has(branched.out, "complex: complex not-manifold"));
   CHECK(!has(branched.out, "genus"));
+}
+
+TEST_CASE("inspect of a mesh: surfaces that cross have no genus, and equal points join parts") {
+  const ScratchFolder folder;
+  const auto surfaces = [&](const std::string& name, int away) {
+    std::string points, faces;
+    for (const int by : {0, away}) {
+      for (const auto& [x, y, z] : {std::tuple{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}) {
+        points += std::to_string(x + by) + " " + std::to_string(y + by) + " " +
+                  std::to_string(z + by) + "\n";
+      }
+      const int first = by == 0 ? 0 : 4;
+      for (const auto& [a, b, c] : {std::tuple{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}) {
+        faces += "3 " + std::to_string(a + first) + " " + std::to_string(b + first) + " " +
+                 std::to_string(c + first) + "\n";
+      }
+    }
+    return run({"inspect", "--mesh", folder.write(name, "OFF\n8 8 0\n" + points + faces)}).out;
+  };
+  CHECK(has(surfaces("apart.off", 9),
+            "complex: complex manifold 2 parts 0 boundary-facets in 0 parts genus 0\n"));
+  const std::string crossing = surfaces("crossing.off", 1);
+  CHECK(has(crossing, "complex: not-complex 2 parts"));
+  CHECK(!has(crossing, "genus"));
+  const std::string torn = folder.write(
+      "torn.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n");
+  CHECK(has(run({"inspect", "--mesh", torn, "--duplicates", "merge"}).out,
+            "complex manifold 1 part "));
 }
 
 TEST_CASE("inspect of a mesh: --mesh, and what is refused") {

@@ -70,6 +70,18 @@ TEST_CASE("xdmf: text, elements of one type and mixed ones, several grids") {
   CHECK(plane->edges.simplices == std::vector<Simplex>{{0, 1}});
 }
 
+TEST_CASE("xdmf: a line has two nodes, and a point one, unless the file says how many") {
+  const auto edges_of = [](const std::string& type, const std::string& cells) {
+    const auto read = xdmf(document_of(grid(kTextPoints, type, cells)));
+    REQUIRE_MESSAGE(read, error_of(read));
+    return read->edges.simplices;
+  };
+  CHECK(edges_of("Polyline", item("4", "0 1 2 3")) == std::vector<Simplex>{{0, 1}, {2, 3}});
+  CHECK(edges_of("Polyline\" NodesPerElement=\"4", item("4", "0 1 2 3")) ==
+        std::vector<Simplex>{{0, 1}, {1, 2}, {2, 3}});
+  CHECK(edges_of("Polyvertex", item("3", "0 1 2")).empty());
+}
+
 TEST_CASE("xdmf: what is refused") {
   const auto said = [](const std::string& points, const std::string& type,
                        const std::string& cells) {

@@ -82,6 +82,25 @@ TEST_CASE("page: a claim that holds has a line and no card") {
   CHECK(!result.contains("cards_note"));
 }
 
+TEST_CASE("page: all its results together have at most as many cards as one may have") {
+  const ExactMesh mesh = kites(30);
+  const Verdict verdict = check::judge_points(Claim::kTriangulation, mesh, {.max_violations = 0});
+  Page page;
+  for (int result = 0; result < 5; ++result) {
+    page.add(verdict, in_rows(mesh), "k.ele",
+             report::verdict(verdict, in_rows(mesh), "k.ele", check::By::kLemma));
+  }
+  std::ostringstream out;
+  page.write(out);
+  std::size_t cards = 0;
+  const report::Json data = data_of(out.str());
+  for (const report::Json& result : data["results"]) {
+    CHECK(result["pictures"].size() == result["report"]["violations"].size());
+    cards += result["pictures"].size();
+  }
+  CHECK(cards == kMostCards);
+}
+
 TEST_CASE("page: of very many violations the first have cards, which the page says") {
   const ExactMesh mesh = kites(150);  // the fourth point of each is unused
   const Verdict verdict = check::judge_points(Claim::kTriangulation, mesh, {.max_violations = 0});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <random>
 
 #include <doctest/doctest.h>
 
@@ -12,18 +13,30 @@ namespace {
 
 using definition::ListedComplex;
 
-// The tallies of both ways, which are the same.
-std::map<Rule, std::size_t> broken(const ListedComplex& mesh, const ComplexDemands& demands = {}) {
-  std::map<Rule, std::size_t> of_both[2];
-  for (const bool by_definition : {false, true}) {
-    const Verdict verdict = judge_complex(mesh, demands, by_definition, 0);
-    CHECK(verdict.holds() == verdict.tallies().empty());
-    for (const auto& [rule, tally] : verdict.tallies()) of_both[by_definition][rule] = tally.count;
-  }
-  CHECK(of_both[0] == of_both[1]);
-  return of_both[0];
-}
 using Tallies = std::map<Rule, std::size_t>;
+
+Tallies tallies_of(const ListedComplex& mesh, const ComplexDemands& demands, bool by_definition,
+                   std::size_t max_violations = 0) {
+  const Verdict verdict = judge_complex(mesh, demands, by_definition, max_violations);
+  CHECK(verdict.holds() == verdict.tallies().empty());
+  Tallies tallies;
+  std::size_t all = 0;
+  for (const auto& [rule, tally] : verdict.tallies()) all += tallies[rule] = tally.count;
+  if (max_violations == 0) CHECK(verdict.violations().size() == all);
+  return tallies;
+}
+
+// The tallies of both ways, which are the same: also of the simplices from the last to the first, and
+// however few witnesses are kept.
+Tallies broken(const ListedComplex& mesh, const ComplexDemands& demands = {}) {
+  const Tallies tallies = tallies_of(mesh, demands, false);
+  CHECK(tallies == tallies_of(mesh, demands, true));
+  CHECK(tallies == tallies_of(mesh, demands, false, 1));
+  ListedComplex reversed = mesh;
+  std::reverse(reversed.simplices.begin(), reversed.simplices.end());
+  CHECK(tallies == tallies_of(reversed, demands, false));
+  return tallies;
+}
 
 const std::vector<Point> kSquare = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 1}, {1, 2}};
 
@@ -40,6 +53,37 @@ TEST_CASE("a triangle inside another breaks no condition of facets and ridges") 
   CHECK(broken({with_hole, filled}).empty());
   filled.push_back({3, 4, 5});
   CHECK(broken({with_hole, filled}) == Tallies{{Rule::kOverlap, 1}});
+}
+
+TEST_CASE("a simplex overlaps with one inside of it, whatever face they share, and their numbers") {
+  const std::vector<Point> plane = {{0, 0}, {8, 0}, {0, 8}, {2, 2}, {3, 2}, {2, 3}};
+  const std::vector<Point> space = {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12},
+                                    {2, 2, 2}, {3, 2, 2},  {2, 3, 2},  {2, 2, 3}};
+  std::mt19937 random(1);
+  for (const std::vector<Point>& points : {plane, space}) {
+    const auto size = static_cast<Vertex>(points.size() / 2);
+    Simplex outer, inner;
+    for (Vertex v = 0; v < size; ++v) {
+      outer.push_back(v);
+      inner.push_back(size + v);
+    }
+    for (Vertex common = 0; common < size; ++common) {  // vertices of the face
+      CAPTURE(common);
+      for (int numbering = 0; numbering < 20; ++numbering) {
+        Simplex number = first_subset(points.size());
+        std::shuffle(number.begin(), number.end(), random);
+        ListedComplex mesh{points, {outer, inner}};
+        for (std::size_t v = 0; v < points.size(); ++v) {
+          mesh.points[static_cast<std::size_t>(number[v])] = points[v];
+        }
+        for (Simplex& simplex : mesh.simplices) {
+          for (Vertex& v : simplex) v = number[static_cast<std::size_t>(v)];
+        }
+        CHECK(broken(mesh, {.allow_unused = true}) == Tallies{{Rule::kOverlap, 1}});
+      }
+      inner[static_cast<std::size_t>(common)] = common;
+    }
+  }
 }
 
 TEST_CASE("what is set apart is named, its vertices are used, and the others are judged") {
@@ -160,14 +204,46 @@ TEST_CASE("crossed diagonals are named once, unless a flat simplex has them") {
   CHECK(witness.face == Simplex{0, 2});
   CHECK(witness.vertices == std::vector<Vertex>{1, 3});
   CHECK(witness.point == Point{0, 0, 0});
+  CHECK(verdict.complex->crossed_quadrilaterals == 1);
+  // Only if all four of its triangles are there.
+  for (std::size_t s = 0; s < halves.size(); ++s) {
+    std::vector<Simplex> fewer = halves;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(s));
+    CHECK(broken({points, fewer}) == Tallies{{Rule::kFacesCross, 1}});
+    CHECK(judge_complex({points, fewer}, {}, false, 0).complex->crossed_quadrilaterals == 0);
+  }
   halves.push_back({0, 1, 2, 3});
   CHECK(broken({points, halves}) == Tallies{{Rule::kDegenerateSimplex, 1}});
 }
 
+TEST_CASE("each edge of a surface that has a border is named if it is to be closed") {
+  const std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  std::vector<Simplex> faces = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  CHECK(broken({points, faces}, {.closed = true}).empty());
+  faces.pop_back();
+  CHECK(broken({points, faces}).empty());
+  CHECK(broken({points, faces}, {.closed = true}) == Tallies{{Rule::kNotClosed, 3}});
+}
+
+TEST_CASE("a simplex of another size is named with both sizes") {
+  const Verdict verdict =
+      judge_complex({{{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}, {0, 1}}}, {}, false, 0);
+  REQUIRE(verdict.violations().size() == 1);
+  const Witness& witness = verdict.violations().front().witness;
+  REQUIRE(witness.values.size() == 2);
+  CHECK(witness.values[0].value == 2);
+  CHECK(witness.values[1].value == 3);
+}
+
 TEST_CASE("demands that make no sense of a mesh are said") {
+  CHECK(fault_of_demands({.manifold = true}, 4, 3).empty());
+  CHECK(fault_of_demands({.manifold = true}, 5, 4)
+            .find("for --manifold, found simplices of dimension 4") != std::string::npos);
+  const Mesh ragged = in_rows({PointSet({{0, 0}, {4, 0}, {0, 4}}), {{}, {0, 1, 2}, {0, 1}}});
+  CHECK(fault_of_demands(ragged, {.closed = true}).find("--closed") != std::string::npos);
+  CHECK(fault_of_demands(ragged, {.manifold = true}).empty());
   CHECK(fault_of_demands({}, 3, 2).empty());
   CHECK(fault_of_demands({}, 0, 2).find("found none") != std::string::npos);
-  CHECK(fault_of_demands({.manifold = true}, 5, 4).find("--manifold") != std::string::npos);
   CHECK(fault_of_demands({.oriented = Orientations::kPositive}, 3, 3).find("--oriented=same") !=
         std::string::npos);
   CHECK(fault_of_demands({.closed = true}, 4, 3).find("--closed") != std::string::npos);

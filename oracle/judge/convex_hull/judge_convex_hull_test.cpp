@@ -70,6 +70,8 @@ TEST_CASE("a set that lies in a plane has a hull there") {
   CHECK(broken(flat, {{0, 1, 2}, {0, 2, 3}}) == Tallies{{Rule::kWrongDimension, 2}});
   CHECK(broken({{1, 1}, {3, 3}, {2, 2}}, {{0}, {1}}).empty());
   CHECK(broken({{1, 1}, {3, 3}, {2, 2}}, {{0}, {2}}) == Tallies{{Rule::kFacetNotSupporting, 1}});
+  CHECK(broken({{1, 1}, {3, 3}, {2, 2}}, {{0}, {1}, {2}}) ==
+        Tallies{{Rule::kFacetNotSupporting, 1}});
 }
 
 TEST_CASE("a square wound twice around an apex has all its edges in two facets") {
@@ -98,6 +100,15 @@ TEST_CASE("a pentagram turns to the left at each vertex, and only a ray sees tha
       renumbered[static_cast<std::size_t>(number[v])] = star[v];
     }
     CHECK(broken(renumbered, cycle(around)).at(Rule::kFacetNotSupporting) == 5);
+    // In whatever order the edges are listed: the ray through the first meets the third or fourth.
+    for (const std::size_t step : {2, 3}) {
+      std::vector<Simplex> edges;
+      for (std::size_t i = 0; i < 5; ++i) {
+        const std::size_t from = i * step % 5;
+        edges.push_back({around[from], around[(from + 1) % 5]});
+      }
+      CHECK(broken(renumbered, edges).at(Rule::kFacetNotSupporting) == 5);
+    }
   } while (std::next_permutation(number.begin(), number.end()));
 }
 
@@ -115,6 +126,7 @@ TEST_CASE("what cannot be a list of facets is refused, with what to do") {
         "expected the facets of a hull, each of 2 vertices, found simplices of 3 vertices: list "
         "the boundary alone, or ask --claim triangulation of the mesh");
   CHECK(fault(kSquare, {{0, 1}}) == "");
+  CHECK(fault({{1, 1}, {2, 3}}, {{0}, {1}}) == "");
   CHECK(fault({{1, 1}}, {}) ==
         "expected at least two points for the claim convex-hull, found 1: one point has no "
         "boundary");

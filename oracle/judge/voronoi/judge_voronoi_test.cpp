@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <random>
 #include <set>
 
@@ -20,6 +21,21 @@ VoronoiDiagram square_with_centre() {
   diagram.vertices = {{2, 0}, {4, 2}, {2, 4}, {0, 2}};
   diagram.cells = {{{0, 3}, true}, {{0, 1}, true}, {{1, 2}, true}, {{2, 3}, true}, {{0, 1, 2, 3}}};
   diagram.neighbors = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
+  return diagram;
+}
+
+// Eight sites at its corners.
+VoronoiDiagram cube() {
+  std::vector<Point> sites;
+  for (int i = 0; i < 8; ++i) sites.push_back({2 * (i & 1), i & 2, (i & 4) / 2});
+  VoronoiDiagram diagram{PointSet(sites)};
+  diagram.vertices = {{1, 1, 1}};
+  diagram.cells.assign(8, {{0}, true});
+  for (Vertex a = 0; a < 8; ++a) {
+    for (const Vertex bit : {1, 2, 4}) {
+      if ((a & bit) == 0) diagram.neighbors.push_back({a, a | bit});
+    }
+  }
   return diagram;
 }
 
@@ -79,8 +95,10 @@ TEST_CASE("a cell that is empty is missing, an index of no vertex is named") {
   VoronoiDiagram diagram = square_with_centre();
   diagram.cells[4].corners = {};
   CHECK(judged(diagram).tallies().begin()->first == Rule::kCellMissing);
-  diagram.cells[4].corners = {0, 1, 7};
-  CHECK(judged(diagram).tallies().begin()->first == Rule::kVoronoiUnknownVertex);
+  for (const Vertex none : {-1, 4, 7}) {
+    diagram.cells[4].corners = {0, 1, none};
+    CHECK(judged(diagram).tallies().begin()->first == Rule::kVoronoiUnknownVertex);
+  }
 }
 
 TEST_CASE("one site, and two, have cells like all others") {
@@ -95,29 +113,53 @@ TEST_CASE("one site, and two, have cells like all others") {
 }
 
 TEST_CASE("cells in space: eight sites at the corners of a cube") {
-  std::vector<Point> sites;
-  for (int i = 0; i < 8; ++i) sites.push_back({2 * (i & 1), i & 2, (i & 4) / 2});
-  VoronoiDiagram diagram{PointSet(sites)};
-  diagram.vertices = {{1, 1, 1}};
-  diagram.cells.assign(8, {{0}, true});
-  for (Vertex a = 0; a < 8; ++a) {
-    for (const Vertex bit : {1, 2, 4}) {
-      if ((a & bit) == 0) diagram.neighbors.push_back({a, a | bit});
-    }
-  }
+  VoronoiDiagram diagram = cube();
   CHECK(judged(diagram).holds());
   diagram.vertices = {{1, 1, Rational(5, 4)}};
   CHECK(judged(diagram).voronoi->squared_distance == Rational(1, 16));
 }
 
 TEST_CASE("ridges that are not listed do not make unbounded cells larger") {
-  std::vector<Point> sites;
-  for (int i = 0; i < 8; ++i) sites.push_back({2 * (i & 1), i & 2, (i & 4) / 2});
-  VoronoiDiagram diagram{PointSet(sites)};
-  diagram.vertices = {{1, 1, 1}};
-  diagram.cells.assign(8, {{0}, true});
+  VoronoiDiagram diagram = cube();
   diagram.neighbors = {{0, 1}};  // of twelve
   CHECK(judged(diagram).holds());
+}
+
+TEST_CASE("where the sites are does not matter: shifted, in a mirror, turned, twice as large") {
+  const auto shifted = [](long by) {
+    return [by](Point point) {
+      for (Rational& x : point) x += by;
+      return point;
+    };
+  };
+  const auto mirrored = [](Point point) {
+    point[0] = -point[0];
+    return point;
+  };
+  const auto turned = [](Point point) {
+    std::swap(point[0], point[1]);
+    point[0] = -point[0];
+    return point;
+  };
+  const auto doubled = [](const Point& point) { return Rational(2) * point; };
+  const std::vector<std::pair<std::function<Point(Point)>, long>> maps = {
+      {shifted(-100), 1}, {shifted(100), 1}, {mirrored, 1}, {turned, 1}, {doubled, 4}};
+  for (VoronoiDiagram diagram : {square_with_centre(), cube()}) {
+    for (const bool is_wrong : {false, true}) {
+      if (is_wrong) diagram.vertices.back()[1] += Rational(1, 4);
+      const Verdict verdict = judged(diagram);
+      CHECK(verdict.holds() != is_wrong);
+      for (const auto& [map, scale] : maps) {
+        std::vector<Point> sites = diagram.sites.points();
+        for (Point& site : sites) site = map(site);
+        VoronoiDiagram moved{PointSet(sites), diagram.vertices, diagram.cells, diagram.neighbors};
+        for (Point& vertex : moved.vertices) vertex = map(vertex);
+        const Verdict again = judged(moved);
+        CHECK(again.voronoi->squared_distance == scale * verdict.voronoi->squared_distance);
+        CHECK(again.violations().size() == verdict.violations().size());
+      }
+    }
+  }
 }
 
 TEST_CASE("what cannot be judged is refused, with what to do") {

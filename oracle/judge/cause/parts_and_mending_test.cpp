@@ -1,0 +1,124 @@
+// Causes of meshes whose parts were meshed apart, beside other faults.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/cause/planted_faults_test.hpp"
+
+namespace circumspect::check {
+namespace {
+
+template <std::size_t kDimension>
+void check_apart(std::size_t side) {
+  Lists equal = grid<kDimension>(side);
+  part(equal, 0);
+  CHECK(named(equal, Claim::kComplex)
+            .find(" equal another one, exactly: with --duplicates merge "
+                  "the claim holds") != std::string::npos);
+  Lists hanging = grid<kDimension>(side);
+  hang_vertex(hanging, hanging.simplices.size() - 1);
+  for (const Claim claim : {Claim::kTriangulation, Claim::kComplex}) {
+    CAPTURE(name(claim));
+    CHECK(named(hanging, claim).find("1 vertex lies inside faces of simplices that are not cut") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("causes: equal points and hanging vertices") {
+  check_apart<2>(7);
+  check_apart<3>(6);
+}
+
+// How much a cause explains, of how much.
+std::pair<std::size_t, std::size_t> explained(const Lists& lists, Claim claim,
+                                              const std::string& name) {
+  for (const Cause& cause : causes_of(lists, claim)) {
+    if (cause.name == name) return {cause.explains, cause.of};
+  }
+  return {0, 0};
+}
+
+TEST_CASE("causes: a fault elsewhere does not change how much a cause explains") {
+  const Lists good = grid<2>(9);
+  for (const Claim claim : {Claim::kTriangulation, Claim::kComplex}) {
+    CAPTURE(name(claim));
+    Lists hanging = good;
+    hang_vertex(hanging, hanging.simplices.size() - 1);
+    const auto alone = explained(hanging, claim, "hanging-vertices");
+    CHECK(alone.first > 0);
+    CHECK(alone.first == alone.second);
+    // Beside a square that is not there, which leaves a hole of its own, or a triangle listed twice.
+    Lists both = hanging;
+    if (claim == Claim::kComplex) {
+      both.simplices.push_back(both.simplices.front());
+    } else {
+      std::erase_if(both.simplices, [&](const Simplex& simplex) {
+        const Point middle = barycentre(both.corners(simplex));
+        return middle[0] < 2 && middle[0] > 1 && middle[1] < 2 && middle[1] > 1;
+      });
+    }
+    const auto beside = explained(both, claim, "hanging-vertices");
+    CHECK(beside.first == alone.first);
+    CHECK(beside.second > alone.second);
+  }
+}
+
+TEST_CASE("causes: the mended mesh has the weights of the points") {
+  // Without weights the other diagonal is right.
+  Lists lists{{{0, 0}, {4, 0}, {5, 5}, {0, 4}}, {{1, 2, 3}, {1, 3, 4}}};
+  for (const bool has_weights : {false, true}) {
+    Mesh mesh = in_arrays(lists);
+    const std::vector<Point> weights = {{has_weights ? 9 : 0}, {0}, {has_weights ? 9 : 0}, {0}};
+    mesh.weights = numbers_of(weights, 1);
+    const auto judged = [](const Mesh& one) -> std::optional<Verdict> {
+      return judge(Claim::kWeightedDelaunay, one, nullptr, {}).value();
+    };
+    const auto found = causes(*judged(mesh), mesh, judged).found;
+    const bool holds =
+        !found.empty() && found[0].words.find("the claim holds") != std::string::npos;
+    CHECK(holds == has_weights);
+  }
+}
+
+TEST_CASE("causes: what is left when one is mended is counted and not explained") {
+  Lists equal = grid<2>(7);
+  part(equal, 0);
+  equal.simplices.push_back(equal.simplices.front());
+  CHECK(named(equal, Claim::kComplex).ends_with("count as one, and the rest remains in part"));
+  Lists later = grid<2>(7);  // with two points that no simplex has
+  later.points.insert(later.points.begin(), {{9, 9}, {10, 9}});
+  for (Simplex& simplex : later.simplices) {
+    for (Vertex& v : simplex) v += 3;
+  }
+  CHECK(named(later, Claim::kComplex)
+            .ends_with("so read, all name points, and 2 violations are left in part"));
+  const Cause cause = causes_of(later, Claim::kComplex).front();
+  CHECK(cause.explains + 2 == cause.of);
+}
+
+TEST_CASE("causes: parts that were meshed apart") {
+  // In the plane their vertices differ where they meet.
+  Lists plane = grid<2>(7);
+  part(plane, Rational(1, 4));
+  // In space the diagonals do: the one half is the mirror image of what it was.
+  Lists space = grid<3>(5);
+  const long most = 4;
+  for (Simplex& simplex : space.simplices) {
+    if (barycentre(space.corners(simplex))[0] < 2) continue;
+    for (Vertex& v : simplex) v += 5 * (most - 2 * (v / 5 % 5));
+  }
+  for (const Claim claim : {Claim::kTriangulation, Claim::kDelaunay, Claim::kComplex}) {
+    CAPTURE(name(claim));
+    CHECK(named(plane, claim).find("parts that were meshed apart meet: 10 vertices lie inside") !=
+          std::string::npos);
+    CHECK(named(space, claim)
+              .find("parts that were meshed apart meet in 16 quadrilaterals with different "
+                    "diagonals") != std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::check
