@@ -220,23 +220,26 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
     return certificate;
   }
   auto refutation = refutation_of(mesh, verdict, *points);
-  if (!refutation && verdict.claim() != Claim::kComplex) {
+  if (!refutation) {
     // The witness that is needed may be one that the verdict had no room for.
     const Verdict with_all =
         check::judge_exactly(verdict.claim(), mesh, nullptr, {.max_violations = 0});
     refutation = refutation_of(mesh, with_all, *points);
   }
   if (refutation) return RefutationWithPoints{std::move(*refutation), std::move(*points)};
-  const std::string_view broken = identifier(verdict.tallies().begin()->first);
-  if (verdict.claim() == Claim::kComplex) {
+  const auto& tallies = verdict.tallies();
+  const auto of_complex = std::find_if(tallies.begin(), tallies.end(), [](const auto& tally) {
+    return tally.first != Rule::kOrientation;
+  });
+  if (verdict.claim() == Claim::kComplex && of_complex != tallies.end()) {
     return tl::unexpected(fmt::format(
         "there is no refutation of this mesh: of simplices of a lower dimension, or of another "
         "than the first, none shows {}",
-        broken));
+        identifier(of_complex->first)));
   }
   return tl::unexpected(fmt::format(
       "expected a fault of the claim for a refutation, found only {}, which {} does not include",
-      broken, name(verdict.claim())));
+      identifier(tallies.begin()->first), name(verdict.claim())));
 }
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {
