@@ -416,9 +416,13 @@ TEST_CASE("check --certificate: meshes alone and hulls, as certify judges them")
   const std::string edges =
       meshes.write("edges", kSquareFrom5, "4 2\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n");
   const std::string open = meshes.write("open", kSquareFrom5, "3 2\n5 5 6\n6 6 7\n7 7 8\n");
+  const std::string wide =
+      meshes.write("wide", "4 2\n0 0 0\n1 4 -1\n2 8 0\n3 4 1\n", "2 3\n0 0 1 2\n1 0 2 3\n");
   using Case = std::pair<const char*, std::string>;
-  for (const auto& [claim, mesh] : {Case{"complex", meshes.good}, Case{"complex", twice},
-                                    Case{"convex-hull", edges}, Case{"convex-hull", open}}) {
+  for (const auto& [claim, mesh] :
+       {Case{"complex", meshes.good}, Case{"complex", twice}, Case{"convex-hull", edges},
+        Case{"convex-hull", open}, Case{"surface-delaunay", meshes.good},
+        Case{"surface-delaunay", wide}}) {
     const Run plain = run({"check", mesh, "--claim", claim});
     const Run checked = run({"check", mesh, "--claim", claim, "--certificate", meshes.cert});
     CHECK(checked.out == plain.out);
@@ -441,12 +445,12 @@ TEST_CASE("check --certificate: meshes alone and hulls, as certify judges them")
   }
   for (const char* command : {"check", "certify"}) {
     const Run unproved =
-        run({command, edges, "--claim", "surface-delaunay",
+        run({command, edges, "--claim", "voronoi",
              command == std::string("check") ? "--certificate" : "-o", meshes.cert});
     CHECK(unproved.exit_code == 2);
     CHECK(has(unproved.err,
               "expected a claim of which something is proved for a certificate, "
-              "found surface-delaunay"));
+              "found voronoi"));
   }
   const Run turned =
       run({"check", meshes.good, "--claim", "complex", "--oriented", "--certificate", meshes.cert});

@@ -96,6 +96,7 @@ std::string usage_fault(CheckOptions& options) {
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
+      certificate.is_given ? certificate_fault(options.claim, options.said) : "",
       contradiction(neighbors, list),
       contradiction(memory, list),
       dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
@@ -120,7 +121,6 @@ std::string usage_fault(CheckOptions& options) {
       contradiction({options.check.hull.only_extreme, "--only-extreme"}, certificate,
                     "nothing is proved of it"),
       contradiction(within, certificate, "nothing is proved of it"),
-      certificate.is_given ? certificate_fault(options.claim, options.said) : "",
       domain_options_fault(options.said, options.claim, domain.is_given),
       voronoi.is_given ? "" : dependence(within, domain).text,
       dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},
