@@ -9,7 +9,7 @@ Definition everything := (@verified, @verified_packed, @verified_not, @verified_
     @verified_whole_domain_rule,
   @rules_of_points, @rules_of_domains, @rules_of_whole_domains, @verified_impossible,
   @verified_unique, @verified_canonical, @verified_generic, @verified_any_order,
-  @verified_mesh_alone, @verified_not_complex, @rules_of_complexes, @verified_hull, @verified_flat,
+  @verified_mesh_alone, @verified_not_complex, @rules_of_complexes, @verified_hull, @verified_flat, @verified_surface,
   @built_delaunay, @built_always,
   @verified_complete, @certificate_exists,
   @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical,

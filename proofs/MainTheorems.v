@@ -1,9 +1,9 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
     Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or, of
-    a mesh alone, of [Complexes.v] or, of hulls and of points of a plane in space, of [Hulls.v] and
-    [Flats.v].  [check], [refute], [check_domain] and so on are the functions that the program
-    evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
+    a mesh alone, of [Complexes.v] or, of hulls, of points of a plane in space and of surfaces, of
+    [Hulls.v], [Flats.v] and [Surfaces.v].  [check], [refute], [check_domain] and so on are the
+    functions that the program evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
     [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
     stand in [BookTheorems.v].
 
@@ -34,9 +34,9 @@
 From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
-From Circumspect Require Import HullChecker FlatChecker GiftWrapping Honest.
-From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats.
-From Circumspect Require MainProofs DanglingSound HullSound FlatSound.
+From Circumspect Require Import HullChecker FlatChecker SurfaceChecker GiftWrapping Honest.
+From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats Surfaces.
+From Circumspect Require MainProofs DanglingSound HullSound FlatSound SurfaceSound.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -231,7 +231,7 @@ Theorem rules_of_complexes D x : refute_alone D x = true ->
    "complex.hanging-vertex"; "complex.faces-cross"; "complex.points-equal"]%string.
 Proof. apply MainProofs.rules_of_complexes. Qed.
 
-(** ** Convex hulls, and points of a plane in space *)
+(** ** Convex hulls, points of a plane in space, and surfaces *)
 
 (** An accepted certificate of the claim [convex-hull]: the points but the summit, number [k], span
     the plane or space, and the simplices without the summit are the boundary of their hull. *)
@@ -253,6 +253,14 @@ Theorem verified_flat p x s : judge_flat p x s = Holds ->
   | _ => flat_triangulation 2 S T
   end.
 Proof. apply FlatSound.judge_flat_sound. Qed.
+
+(** An accepted certificate of the claim [surface-delaunay]: at each edge of two triangles, the
+    angles opposite have a sum of at most pi. *)
+Theorem verified_surface D c : check_surface D c = Accepted ->
+  let S := points_of_certificate (dimension_of D) (bare_surface c) in
+  NoDup S /\
+  intrinsically_delaunay S (simplices_of_certificate (dimension_of D) (bare_surface c)).
+Proof. apply SurfaceSound.check_surface_sound. Qed.
 
 (** ** A construction *)
 

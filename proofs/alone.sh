@@ -1,5 +1,5 @@
 #!/bin/bash
-# Certifies the meshes of corpus that are judged as complexes, and those that are convex hulls, and
+# Certifies the meshes of corpus that are judged as complexes, convex hulls and Delaunay surfaces, and
 # has circumspect-verified read what proves the verdict:
 #   proofs/alone.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
 set -euo pipefail
@@ -11,12 +11,19 @@ trap 'rm -rf "$scratch"' EXIT
 accepted=0
 refuted=0
 hulls=0
+surfaces=0
 while IFS=$'\t' read -r mesh claim verdict; do
   if [ "${claim%% *}" = convex-hull ] && [ "$verdict" = holds ] && [[ "$mesh" != *cyclic* ]]; then
     "$circumspect" certify "$mesh" --claim convex-hull --quiet -o "$scratch/certificate"
     found=$("$verified" "$scratch/certificate" "${mesh%.ele}.node" "$mesh") || true
     [[ "$found" == "verified: convex-hull, "* ]] || { echo "$mesh: found '$found'" >&2; exit 1; }
     hulls=$((hulls + 1))
+  fi
+  if [ "$claim" = surface-delaunay ] && [ "$verdict" = holds ]; then
+    "$circumspect" certify "$mesh" --claim surface-delaunay --quiet -o "$scratch/certificate"
+    found=$("$verified" "$scratch/certificate" "${mesh%.ele}.node" "$mesh") || true
+    [[ "$found" == "verified: surface-delaunay, "* ]] || { echo "$mesh: found '$found'" >&2; exit 1; }
+    surfaces=$((surfaces + 1))
   fi
   [ "$claim" = complex ] || continue
   code=0
@@ -30,5 +37,5 @@ while IFS=$'\t' read -r mesh claim verdict; do
   fi
   if [ "$verdict" = holds ]; then accepted=$((accepted + 1)); else refuted=$((refuted + 1)); fi
 done <expected.tsv
-echo "$accepted certificates and $refuted refutations of meshes alone verified, $hulls certificates of hulls"
-[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 8 ]
+echo "$accepted certificates and $refuted refutations of meshes alone verified, $hulls certificates of hulls, $surfaces of surfaces"
+[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 8 ] && [ "$surfaces" -ge 3 ]

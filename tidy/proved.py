@@ -3,7 +3,7 @@
 
     proved.py             what is not as it should be, one line each; exit 1 if there is something
 
-Every notion in proofs/Definitions.v, Domains.v, Complexes.v, Hulls.v and Flats.v stands in docs/theory/definitions.md.
+Every notion in proofs/Definitions.v, Domains.v, Complexes.v, Hulls.v, Flats.v and Surfaces.v stands in docs/theory/definitions.md.
     proved.py --update    write the table of rules anew
 
 A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
@@ -118,7 +118,8 @@ def notions():
                              ("proofs/Domains.v", "Section Book.", "End Book."),
                              ("proofs/Complexes.v", "Section Complex.", "End Complex."),
                              ("proofs/Hulls.v", "Section Hull.", "End Hull."),
-                             ("proofs/Flats.v", "Section Flat.", "End Flat.")):
+                             ("proofs/Flats.v", "Section Flat.", "End Flat."),
+                             ("proofs/Surfaces.v", "Section Surface.", "End Surface.")):
         book = text(path).split(begin, 1)[1].split(end, 1)[0]
         yield from re.findall(r"^(?:Definition|Inductive|Record|Fixpoint) (\w+)", book, re.MULTILINE)
 

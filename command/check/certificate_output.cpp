@@ -224,33 +224,35 @@ bool is_written(const std::string& path, const Write& write, Output& output) {
   return false;
 }
 
+// `made`, of that mesh, or says why there is none.
+template <typename Made, typename AnyMesh>
+bool is_written(const std::string& path, const std::string& mesh_name, const AnyMesh& mesh,
+                const tl::expected<Made, std::string>& made, Output& output) {
+  if (!made) {
+    output.error(ExitCode::kUsage, "mesh", mesh_name,
+                 fmt::format("{}: {}", mesh_name, made.error()));
+    return false;
+  }
+  return is_written(
+      path, [&](std::ostream& out) { certificate::write(out, mesh, *made); }, output);
+}
+
 }  // namespace
 
-bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
+bool write_certificate(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
                        const Verdict& verdict, Output& output) {
-  const auto document = certificate::document_of(mesh, verdict);
-  if (!document) {
-    output.error(ExitCode::kUsage, "mesh", mesh_name,
-                 fmt::format("{}: {}", mesh_name, document.error()));
-    return false;
+  if (verdict.tallies().contains(Rule::kPointsEqual)) {
+    return is_written(path, mesh_name, mesh, certificate::equal_points_of(mesh, verdict), output);
   }
-  return is_written(
-      path, [&](std::ostream& out) { certificate::write(out, mesh, *document); }, output);
+  const ExactMesh exactly = exact(mesh);
+  return is_written(path, mesh_name, exactly, certificate::document_of(exactly, verdict), output);
 }
 
-bool write_equal_points(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
-                        const Verdict& verdict, Output& output) {
-  const auto equal = certificate::equal_points_of(mesh, verdict);
-  if (!equal) {
-    output.error(ExitCode::kUsage, "mesh", mesh_name,
-                 fmt::format("{}: {}", mesh_name, equal.error()));
-    return false;
+std::string certificate_fault(const std::optional<Claim>& claim, const DomainOptions& said) {
+  if (claim && certificate::is_unproved(*claim)) {
+    return fmt::format("expected a claim of which something is proved for a certificate, found {}",
+                       name(*claim));
   }
-  return is_written(
-      path, [&](std::ostream& out) { certificate::write(out, mesh, *equal); }, output);
-}
-
-std::string certificate_fault(const DomainOptions& said) {
   if (said.resolves) {
     return "expected no --resolve for a certificate, found it: circumspect-verified compares the "
            "segments of the domain's file, as they are listed";

@@ -1,12 +1,14 @@
 // Writes the certificate or the refutation that proves a verdict.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "command/input/domain_input.hpp"
 #include "command/options/domain_options.hpp"
 #include "command/output/output.hpp"
+#include "oracle/model/claim.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -15,13 +17,8 @@ namespace circumspect::cli {
 
 // Writes the certificate or the refutation to `path`, "-" being stdout. If there is none, or it
 // cannot be written, says so on stderr and in the exit code. True if it was written.
-bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
+bool write_certificate(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
                        const Verdict& verdict, Output& output);
-
-// The same for the claim complex of a mesh in which points are equal. Requires: the verdict says
-// so.
-bool write_equal_points(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
-                        const Verdict& verdict, Output& output);
 
 // The same for a claim about a domain.
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
@@ -29,7 +26,7 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
                               const Verdict& verdict, Output& output);
 
 // What a certificate cannot be about; empty if there is nothing of it.
-std::string certificate_fault(const DomainOptions& said);
+std::string certificate_fault(const std::optional<Claim>& claim, const DomainOptions& said);
 
 // The files in which circumspect-verified reads that a domain has no CDT, and no triangulation.
 std::vector<std::string> impossibility_files(const std::string& prefix);

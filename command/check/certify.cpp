@@ -19,7 +19,6 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/certificate/document.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
@@ -118,34 +117,24 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   output.notes(loaded->notes);
-  if (verdict->tallies().contains(Rule::kPointsEqual)) {
-    if (write_equal_points(options.certificate, options.mesh, loaded->mesh, *verdict, output)) {
-      report(options, *verdict, loaded->mesh, about, output);
-    }
-    return;
-  }
-  const ExactMesh mesh = exact(loaded->mesh);
   output.end_watch();
   const bool written =
       about == nullptr
-          ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
-          : write_domain_certificate(options.certificate, options.mesh, mesh, *domain, *verdict,
-                                     output);
+          ? write_certificate(options.certificate, options.mesh, loaded->mesh, *verdict, output)
+          : write_domain_certificate(options.certificate, options.mesh, exact(loaded->mesh),
+                                     *domain, *verdict, output);
   if (const auto note = note_of_merging(*loaded)) output.notes({*note});
   if (written) report(options, *verdict, loaded->mesh, about, output);
 }
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  const bool is_unproved = options.asked && certificate::is_unproved(*options.asked);
   return first_fault(
       {{!options.required.empty(),
         "expected no --require of a certificate, found it: nothing is proved of the shape of "
         "simplices; circumspect check judges it"},
-       {is_unproved, fmt::format("expected a claim about which something is proved, found {}",
-                                 is_unproved ? name(*options.asked) : "")},
        domain_options_fault(options.said, options.asked, options.domain.has_value()),
-       certificate_fault(options.said)});
+       certificate_fault(options.asked, options.said)});
 }
 
 ExitCode run(CertifyOptions& options) {

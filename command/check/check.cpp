@@ -149,7 +149,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
     output.end_watch();
-    write_certificate(*options.certificate, path, exact(loaded->mesh), *verdict, output);
+    write_certificate(*options.certificate, path, loaded->mesh, *verdict, output);
   }
 }
 

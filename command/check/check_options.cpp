@@ -89,12 +89,14 @@ std::string usage_fault(CheckOptions& options) {
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
   const Asked demanded{!options.check.quality.empty(), "--require"};
+  const std::string complex_word = of_complexes_alone(options.complex);
+  const Asked of_complex{!complex_word.empty(), complex_word};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
-      contradiction(certificate, list),
+      certificate.is_given ? certificate_fault(options.claim, options.said) : "",
       contradiction(neighbors, list),
       contradiction(memory, list),
       dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
@@ -113,8 +115,12 @@ std::string usage_fault(CheckOptions& options) {
       quality_fault(options.check.quality),
       contradiction(demanded, voronoi),
       contradiction(demanded, certificate, "nothing is proved of it"),
+      contradiction(of_complex, certificate, "nothing is proved of it"),
+      contradiction({options.check.hull.all_boundary_points, "--all-boundary-points"}, certificate,
+                    "nothing is proved of it"),
+      contradiction({options.check.hull.only_extreme, "--only-extreme"}, certificate,
+                    "nothing is proved of it"),
       contradiction(within, certificate, "nothing is proved of it"),
-      certificate.is_given ? certificate_fault(options.said) : "",
       domain_options_fault(options.said, options.claim, domain.is_given),
       voronoi.is_given ? "" : dependence(within, domain).text,
       dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},

@@ -114,7 +114,12 @@ TEST_CASE("check --claim complex: what contradicts itself is refused, and what m
   CHECK(judged(meshes.surface, {"--closed", "--allow", "hanging-vertex"}).exit_code == 2);
   CHECK(judged(meshes.ring, {"--allow", "overlap"}).exit_code == 2);
   CHECK(judged(meshes.ring, {"--oriented=up"}).exit_code == 2);
-  CHECK(judged(meshes.ring, {"--certificate", "c"}).exit_code == 2);
+  for (const char* demand :
+       {"--manifold", "--connected", "--allow-unused", "--oriented=positive"}) {
+    const Run unproved = judged(meshes.ring, {demand, "--certificate", "c"});
+    CHECK(unproved.exit_code == 2);
+    CHECK(has(unproved.err, demand + std::string(" beside --certificate, found it: nothing")));
+  }
   CHECK(judged(meshes.ring, {"--memory", "1G"}).exit_code == 2);
   CHECK(judged(meshes.ring, {"--domain", "d.poly"}).exit_code == 2);
   const Run sign = judged(meshes.surface, {"--oriented=positive"});

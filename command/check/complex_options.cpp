@@ -14,7 +14,8 @@ Orientations orientations(const std::string& word) {
   return word == "negative" ? Orientations::kNegative : Orientations::kSame;
 }
 
-// The first option that asks something of complexes alone; empty if none does.
+}  // namespace
+
 std::string of_complexes_alone(const ComplexOptions& options) {
   const ComplexDemands& demands = options.demands;
   for (const auto& [is_given, word] : std::initializer_list<std::pair<bool, const char*>>{
@@ -29,8 +30,6 @@ std::string of_complexes_alone(const ComplexOptions& options) {
   }
   return "";
 }
-
-}  // namespace
 
 void add_complex_options(CLI::App& command, ComplexOptions& options) {
   command

@@ -22,6 +22,9 @@ struct ComplexOptions {
 
 void add_complex_options(CLI::App& command, ComplexOptions& options);
 
+// The first option that asks something of the claim `complex` alone; empty if none does.
+std::string of_complexes_alone(const ComplexOptions& options);
+
 // What the options demand of the claim, into `check`; what is wrong with them, empty if all is
 // well.
 std::string settle_complex_options(const ComplexOptions& options, std::optional<Claim> claim,

@@ -169,8 +169,8 @@ std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
   const Claim claim = verdict.claim();
   if (is_about_a_domain(claim) || is_unproved(claim)) {
     return fmt::format(
-        "expected complex, convex-hull, triangulation, delaunay or weighted-delaunay for a "
-        "certificate, found {}",
+        "expected complex, convex-hull, surface-delaunay, triangulation, delaunay or "
+        "weighted-delaunay for a certificate, found {}",
         name(claim));
   }
   const std::size_t dimension = mesh.points.ambient_dimension();
@@ -179,7 +179,13 @@ std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
     return fmt::format("expected points of dimension 2 or 3 for a certificate, found dimension {}",
                        dimension);
   }
-  if (claim == Claim::kComplex && verdict.holds()) return "";  // wherever the points are
+  const bool is_about_angles = claim == Claim::kSurfaceDelaunay;
+  if ((claim == Claim::kComplex || is_about_angles) && verdict.holds()) {
+    return "";  // wherever the points are
+  }
+  if (is_about_angles) {
+    return "there is no refutation of this mesh: none shows that a surface is not Delaunay";
+  }
   if (claim == Claim::kConvexHull && !verdict.holds()) {
     return "there is no refutation of this mesh: none shows that facets are not those of a hull";
   }
@@ -197,7 +203,7 @@ std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
 }  // namespace
 
 bool is_unproved(Claim claim) {
-  return is_about_a_list(claim) && claim != Claim::kComplex && claim != Claim::kConvexHull;
+  return claim == Claim::kVoronoi || claim == Claim::kPeriodicDelaunay;
 }
 
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
@@ -208,6 +214,9 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
   if (!points) return tl::unexpected(points.error());
   if (verdict.holds() && verdict.claim() == Claim::kComplex) {
     return complex_certificate_of(mesh, std::move(*points));
+  }
+  if (verdict.claim() == Claim::kSurfaceDelaunay) {
+    return surface_certificate_of(mesh, std::move(*points));
   }
   if (is_flat(mesh, verdict)) {
     return flat_certificate_of(mesh, verdict.claim(), std::move(*points));
@@ -220,23 +229,26 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
     return certificate;
   }
   auto refutation = refutation_of(mesh, verdict, *points);
-  if (!refutation && verdict.claim() != Claim::kComplex) {
+  if (!refutation) {
     // The witness that is needed may be one that the verdict had no room for.
     const Verdict with_all =
         check::judge_exactly(verdict.claim(), mesh, nullptr, {.max_violations = 0});
     refutation = refutation_of(mesh, with_all, *points);
   }
   if (refutation) return RefutationWithPoints{std::move(*refutation), std::move(*points)};
-  const std::string_view broken = identifier(verdict.tallies().begin()->first);
-  if (verdict.claim() == Claim::kComplex) {
+  const auto& tallies = verdict.tallies();
+  const auto of_complex = std::find_if(tallies.begin(), tallies.end(), [](const auto& tally) {
+    return tally.first != Rule::kOrientation;
+  });
+  if (verdict.claim() == Claim::kComplex && of_complex != tallies.end()) {
     return tl::unexpected(fmt::format(
         "there is no refutation of this mesh: of simplices of a lower dimension, or of another "
         "than the first, none shows {}",
-        broken));
+        identifier(of_complex->first)));
   }
   return tl::unexpected(fmt::format(
       "expected a fault of the claim for a refutation, found only {}, which {} does not include",
-      broken, name(verdict.claim())));
+      identifier(tallies.begin()->first), name(verdict.claim())));
 }
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {

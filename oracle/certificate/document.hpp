@@ -14,6 +14,7 @@
 #include "oracle/certificate/flat_certificate.hpp"
 #include "oracle/certificate/hull_certificate.hpp"
 #include "oracle/certificate/scaled_points.hpp"
+#include "oracle/certificate/surface_certificate.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
@@ -55,15 +56,16 @@ struct RefutationWithPoints {
 };
 
 using Document = std::variant<Certificate, ComplexCertificate, HullCertificate, FlatCertificate,
-                              RefutationWithPoints>;
+                              SurfaceCertificate, RefutationWithPoints>;
 
 // Claims of which nothing is proved.
 bool is_unproved(Claim claim);
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
 // people: other claims; points of other dimensions, or that span no plane or space (but where the
-// claim complex holds, or they have a triangulation in a plane of space); a verdict that fails for
-// nothing but rules that are not part of the claim, or of which there is no refutation.
+// claim complex or surface-delaunay holds, or they have a triangulation in a plane of space); a
+// verdict that fails for nothing but rules that are not part of the claim, or that there is no
+// refutation of.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);

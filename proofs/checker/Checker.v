@@ -26,6 +26,8 @@ Inductive condition :=
   | simplex_proper | simplex_listed | simplices_parted
   (* hulls/HullChecker.v and flats/FlatChecker.v *)
   | summit_inside | cone_shown | point_in_plane | weight_unseen
+  (* surfaces/SurfaceChecker.v *)
+  | edge_listed | edges_increasing | edge_delaunay
   (* existence/ImpossibleChecker.v *)
   | vertices_listed | mesh_of_the_domain | fate_shown | reason_shown | clauses_refuted.
 
@@ -33,6 +35,7 @@ Inductive place :=
   | Nowhere | AtPoint (k : positive) | AtSimplex (t : positive) | AtFacet (t : positive) (i : nat)
   | AtHull (h : positive) | AtRidge (h : positive) (a : nat)
   | AtSegment (k : positive) | AtHole (k : positive) | AtPolygon (k : positive)
+  | AtEdge (k : positive)
   (* of what has no triangulation *)
   | AtCandidate (k : positive) | AtReason (k : positive).
 

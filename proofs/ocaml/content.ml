@@ -20,6 +20,7 @@ let condition = function
   | Simplex_proper -> "simplex-proper" | Simplex_listed -> "simplex-listed"
   | Simplices_parted -> "simplices-parted"
   | Summit_inside -> "summit-inside" | Cone_shown -> "cone-shown"
+  | Edge_listed -> "edge-listed" | Edges_increasing -> "edges-increasing" | Edge_delaunay -> "edge-delaunay"
   | Point_in_plane -> "point-in-plane" | Weight_unseen -> "weight-unseen"
   | Vertices_listed -> "vertices-listed" | Mesh_of_the_domain -> "mesh-of-the-domain"
   | Fate_shown -> "fate-shown"
@@ -36,6 +37,7 @@ let place =
   | AtSegment k -> ", segment " ^ n k
   | AtHole k -> ", hole " ^ n k
   | AtPolygon k -> ", polygon " ^ n k
+  | AtEdge k -> ", edge " ^ n k
   | AtCandidate k -> ", candidate " ^ n k
   | AtReason k -> ", clause " ^ n k
   | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) (Reading.of_natural a)
@@ -48,12 +50,13 @@ let kinds = [ "enclosed", Enclosed; "hull", Hull ]
 
 let complex = "complex"
 let convex_hull = "convex-hull"
+let surface_delaunay = "surface-delaunay"
 
 (* CLAIM and D of the first line. *)
 let context source claims claim dimension =
   let claimed = match List.assoc_opt claim claims with
     | Some claimed -> claimed
-    | None -> Text.fail source (String.concat " or " (complex :: convex_hull :: List.map fst claims)) (Text.quote claim) in
+    | None -> Text.fail source (String.concat " or " (complex :: convex_hull :: surface_delaunay :: List.map fst claims)) (Text.quote claim) in
   let space, d = match dimension with
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
@@ -156,6 +159,21 @@ let mesh_alone (c : Reading.context) space =
     | Accepted ->
       (Printf.sprintf "verified: %s, %s, %s" complex (counted (List.length labels) "point" "points")
          (counted (Array.length cells) one several), 0) in
+  { mesh = lazy mesh; compare_domain = None; verdict }
+
+(* Triangles, in the plane or in space, and the angles at their edges. *)
+let surface (c : Reading.context) space =
+  let certificate, labels = Surface_file.read c in
+  let triangles = Array.of_list certificate.surface_triangles in
+  let vertices k = List.map Option.some triangles.(k).triangle_vertices in
+  let mesh = { Users_mesh.unit = (certificate.surface_numerator, certificate.surface_denominator); d = c.d;
+               weighted = false; labels = Array.of_list labels; ordered = false;
+               sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.surface_points));
+               simplices = { count = Array.length triangles; vertices }; dangling = None } in
+  let verdict () = match check_surface space certificate with
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted ->
+      (Printf.sprintf "verified: %s, %s" surface_delaunay (counts 2 (List.length labels) (Array.length triangles)), 0) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
 let how_many_dangle faces = match List.length faces with
@@ -307,6 +325,9 @@ let read source =
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
     mesh_alone c space
+  | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = surface_delaunay ->
+    let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
+    surface c space
   | [ "circumspect-certificate"; "1"; claim; dimension; cones ] when claim = convex_hull ->
     let c, claimed, space = context source claims cones dimension in
     hull c space claimed
