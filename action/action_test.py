@@ -164,12 +164,44 @@ class Action(unittest.TestCase):
 
     def test_actions_of_others_are_named_by_their_commits(self):
         """A tag is whatever its owner makes of it tomorrow. The comment says which one it was."""
-        files = [HERE.parent / "action.yml", *(HERE.parent / "docs").glob("*.yml"), *(HERE.parent / ".ci").rglob("*.yml")]
+        files = [HERE.parent / "action.yml", *(HERE.parent / "docs").glob("*.yml"), *(HERE.parent / ".ci").rglob("*.yml"),
+                 *(HERE.parent / ".github").rglob("*.yml")]
         used = [(file.name, line.strip()) for file in files for line in file.read_text().splitlines()
                 if re.search(r"^[^#]*\buses:", line)]
         self.assertGreaterEqual(len(used), 4)
         for file, line in used:
             self.assertRegex(line, r"uses: [\w./-]+@[0-9a-f]{40} +# v\d+\.\d+\.\d+$", file)
+
+    def test_the_builds_elsewhere_are_those_of_the_page(self):
+        """Nobody runs that workflow here: its commands are those of a page, and name what there is."""
+        root = HERE.parent
+        text = (root / ".github" / "workflows" / "builds.yml").read_text(encoding="utf-8")
+        page = (root / "docs" / "packages.md").read_text(encoding="utf-8").splitlines()
+        targets = set(re.search(r"^\.PHONY: ((?:.*\\\n)*.*)", (root / "Makefile").read_text(), re.M)[1].split())
+        built = "".join(file.read_text() for file in [root / "CMakeLists.txt", *root.glob("*/CMakeLists.txt"), *root.glob("cmake/*.cmake")])
+        commands = [line for line in re.findall(r"^ +(?:- )?run: (.+)$", text, re.M) if not line.startswith(("apt-get ", "git "))]
+        self.assertGreaterEqual(len(commands), 18)
+        for command in commands:
+            if not re.fullmatch(r"make \w+", command):  # which the page has within a sentence
+                self.assertTrue(command in page, f"expected in docs/packages.md: {command}")
+            words = command.split()
+            for target in words[1:] if words[0] == "make" else []:
+                self.assertTrue(target in targets, f"expected a target {target} in the Makefile")
+            for name in re.findall(r"\bcircumspect_\w+", command):
+                self.assertTrue(re.search(rf"(add_executable|circumspect_add_archive)\({name} ", built), f"expected a target {name}")
+            for name in re.findall(r"-D(CIRCUMSPECT_\w+)", command):
+                self.assertTrue(f"option({name} " in built, f"expected an option {name}")
+            for path in re.findall(r"(?:^|\s)(?:cmake|corpus)/\S+", command):
+                self.assertTrue((root / path.strip()).is_file(), path)
+        try:
+            import yaml  # pylint: disable=import-outside-toplevel
+        except ImportError:
+            self.skipTest("PyYAML is not there: the workflow was not parsed")
+        jobs = yaml.safe_load(text)["jobs"]
+        for name, job in jobs.items():
+            self.assertIn("runs-on", job, name)
+            self.assertIn(job.get("needs", name), list(jobs))
+            self.assertTrue(all(("run" in step) != ("uses" in step) for step in job["steps"]), name)
 
     def test_one_version(self):
         """What is installed by its version is that of these sources."""

@@ -47,7 +47,7 @@ def rows(table):
 
 
 def names(folder, *endings):
-    return sorted(str(path.relative_to(CORPUS)) for path in (CORPUS / folder).iterdir()
+    return sorted(path.relative_to(CORPUS).as_posix() for path in (CORPUS / folder).iterdir()
                   if path.suffix in endings)
 
 

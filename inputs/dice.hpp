@@ -42,11 +42,12 @@ class Dice {
     return static_cast<std::size_t>(thrown % count);
   }
 
-  // Uniform in [first, last]. Requires: first <= last, fewer than 2^63 apart.
+  // Uniform in [first, last]. Requires: first <= last, fewer than 2^64 − 1 apart.
   template <std::signed_integral Number>
   constexpr Number within(Number first, Number last) {
-    const auto distance = static_cast<std::size_t>(last - first);
-    return static_cast<Number>(first + static_cast<Number>(below(distance + 1)));
+    // Without signs, since the distance need not be a Number.
+    const std::size_t from = static_cast<std::size_t>(first);
+    return static_cast<Number>(from + below(static_cast<std::size_t>(last) - from + 1));
   }
 
  private:

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include <doctest/doctest.h>
 
@@ -33,6 +35,17 @@ TEST_CASE("dice: all numbers of a range, all equally often, whatever its length"
   CHECK(std::abs(low - 3000) < 200);
   CHECK(dice.below(1) == 0);
   CHECK(dice.within(3L, 3L) == 3);
+}
+
+// As `long` is on Windows: the ends may be farther apart than the largest of them.
+TEST_CASE("dice: numbers of 32 bits are those that more bits would be") {
+  for (const std::int32_t bound :
+       {std::int32_t{1} << 30, std::numeric_limits<std::int32_t>::max()}) {
+    Dice narrow(5), wide(5);
+    for (int i = 0; i < 100; ++i) {
+      CHECK(narrow.within(-bound, bound) == wide.within(-std::int64_t{bound}, std::int64_t{bound}));
+    }
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "inputs/round_sets.hpp"
 #include "inputs/set_parts.hpp"
@@ -12,7 +13,8 @@ namespace circumspect::generators {
 namespace {
 
 // An integer within the bounds times a power of two within the others, a double.
-Rational scaled_integer(Dice& dice, long bound, long least_exponent, long largest_exponent) {
+Rational scaled_integer(Dice& dice, std::int64_t bound, long least_exponent,
+                        long largest_exponent) {
   const auto mantissa = static_cast<double>(dice.within(-bound, bound));
   const long exponent = dice.within(least_exponent, largest_exponent);
   return exact_value(std::ldexp(mantissa, static_cast<int>(exponent)));
@@ -60,7 +62,7 @@ std::vector<Point> rational_points(Dice& dice, std::size_t dimension, Count coun
 
 std::vector<Point> dyadic_points(Dice& dice, std::size_t dimension, Count count) {
   return set_of(dice, count, [&] {
-    return several(dimension, [&] { return scaled_integer(dice, 1L << 53, -60, 0); });
+    return several(dimension, [&] { return scaled_integer(dice, std::int64_t{1} << 53, -60, 0); });
   });
 }
 
