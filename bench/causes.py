@@ -99,10 +99,10 @@ def halved(points, cells, k):
     raise ValueError("no edge has a middle in doubles")
 
 
-def doubled(mesh):
-    """The half beyond the middle has nodes of its own where it meets the other one."""
+def doubled(mesh, wall=None):
+    """The half beyond a wall, or else beyond the middle, has nodes of its own where it meets the other one."""
     middles = mesh.points[mesh.cells].mean(axis=1)[:, 0]
-    beyond = middles > np.median(middles)
+    beyond = middles > (np.median(middles) if wall is None else wall)
     common = np.intersect1d(mesh.cells[beyond], mesh.cells[~beyond])
     own = np.arange(len(mesh.points))
     own[common] = len(mesh.points) + np.arange(len(common))
@@ -148,7 +148,7 @@ def plane_rooms(folder, count, rng):
 
 def apart_in_the_plane(mesh, n):
     """The right room has its own nodes at the wall, a third of an edge higher, but for the ends."""
-    apart = doubled(mesh)
+    apart = doubled(mesh, wall=n)
     own = np.arange(len(mesh.points), len(apart.points))
     ends = np.isin(apart.points[own, 1], [0, n])
     apart.points[own[~ends], 1] += 1 / 3

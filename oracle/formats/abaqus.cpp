@@ -3,145 +3,61 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "kernel/exact/number_text.hpp"
+#include "oracle/formats/abaqus_types.hpp"
 #include "oracle/formats/bytes/lines.hpp"
-#include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/bytes/text_lines.hpp"
 #include "oracle/formats/node_tags.hpp"
-#include "platform/files.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-// Types by what their names begin with: the letters that follow (R: reduced integration, H: hybrid,
-// …) say nothing about the shape. No two of them begin one name.
-struct AbaqusType {
-  std::string_view name;
-  std::size_t nodes;
-  ElementShape shape;
-  std::string_view words;
-};
-using enum ElementShape;
-constexpr std::array kAbaqusTypes = {
-    AbaqusType{"C3D4", 4, kTetrahedron, "a tetrahedron"},
-    AbaqusType{"C3D10", 10, kCurvedTetrahedron, "a tetrahedron of second order"},
-    AbaqusType{"C3D5", 5, kOtherSolid, "a pyramid"},
-    AbaqusType{"C3D6", 6, kOtherSolid, "a prism"},
-    AbaqusType{"C3D8", 8, kOtherSolid, "a hexahedron"},
-    AbaqusType{"C3D15", 15, kCurved, "a prism of second order"},
-    AbaqusType{"C3D20", 20, kCurved, "a hexahedron of second order"},
-    AbaqusType{"DC3D4", 4, kTetrahedron, "a tetrahedron"},
-    AbaqusType{"DC3D10", 10, kCurvedTetrahedron, "a tetrahedron of second order"},
-    AbaqusType{"DC3D6", 6, kOtherSolid, "a prism"},
-    AbaqusType{"DC3D8", 8, kOtherSolid, "a hexahedron"},
-    AbaqusType{"AC3D4", 4, kTetrahedron, "a tetrahedron"},
-    AbaqusType{"CPS3", 3, kPolygon, "a triangle"},
-    AbaqusType{"CPE3", 3, kPolygon, "a triangle"},
-    AbaqusType{"CAX3", 3, kPolygon, "a triangle"},
-    AbaqusType{"DC2D3", 3, kPolygon, "a triangle"},
-    AbaqusType{"S3", 3, kPolygon, "a triangle"},
-    AbaqusType{"STRI3", 3, kPolygon, "a triangle"},
-    AbaqusType{"M3D3", 3, kPolygon, "a triangle"},
-    AbaqusType{"R3D3", 3, kPolygon, "a triangle"},
-    AbaqusType{"SFM3D3", 3, kPolygon, "a triangle"},
-    AbaqusType{"CPS6", 6, kCurvedTriangle, "a triangle of second order"},
-    AbaqusType{"CPE6", 6, kCurvedTriangle, "a triangle of second order"},
-    AbaqusType{"CAX6", 6, kCurvedTriangle, "a triangle of second order"},
-    AbaqusType{"STRI65", 6, kCurvedTriangle, "a triangle of second order"},
-    AbaqusType{"S6", 6, kCurvedTriangle, "a triangle of second order"},
-    AbaqusType{"CPS4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"CPE4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"CAX4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"S4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"M3D4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"R3D4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"SFM3D4", 4, kPolygon, "a quadrilateral"},
-    AbaqusType{"CPS8", 8, kCurved, "a quadrilateral of second order"},
-    AbaqusType{"CPE8", 8, kCurved, "a quadrilateral of second order"},
-    AbaqusType{"S8", 8, kCurved, "a quadrilateral of second order"},
-    AbaqusType{"T2D2", 2, kPolyline, "an edge"},
-    AbaqusType{"T3D2", 2, kPolyline, "an edge"},
-    AbaqusType{"B21", 2, kPolyline, "an edge"},
-    AbaqusType{"B31", 2, kPolyline, "an edge"},
-    AbaqusType{"MASS", 1, kPoint, "a point"},
-};
-
-const AbaqusType* abaqus_type_of(std::string_view name) {
-  const auto* const found =
-      std::find_if(kAbaqusTypes.begin(), kAbaqusTypes.end(), [&](const AbaqusType& type) {
-        if (!name.starts_with(type.name)) return false;
-        // "C3D10" is no "C3D1" with something behind it.
-        const std::string_view behind = name.substr(type.name.size());
-        return behind.empty() || std::isdigit(static_cast<unsigned char>(behind.front())) == 0;
-      });
-  return found == kAbaqusTypes.end() ? nullptr : found;
+// What is between the commas; a comma at the end ends no further field.
+void split(std::string_view text, std::vector<std::string_view>& fields) {
+  fields.clear();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    fields.push_back(without_blanks(text.substr(0, end)));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
 }
 
 // The text line by line; comments and empty lines are skipped.
 class Fields {
  public:
-  explicit Fields(const Source& source) { files_.emplace_back(source); }
+  explicit Fields(const Source& source) : lines_(source) {}
 
   // Goes to the next line; false at the end.
   bool next() {
-    while (true) {
-      TextLines& lines = files_.back();
-      while (lines.next()) {
-        text_ = without_blanks(lines.text());
-        if (!text_.empty() && !text_.starts_with("**")) return true;
-      }
-      text_ = {};
-      if (files_.size() == 1) return false;
-      files_.pop_back();  // an included file has ended
+    while (lines_.next()) {
+      text_ = without_blanks(lines_.text());
+      if (!text_.empty() && !text_.starts_with("**")) return true;
     }
-  }
-  // From here on the lines of another file, and behind them the rest of this one. False if there is
-  // no such file in the folder of the first or below it, or if too many have been included.
-  bool include(const std::string& path) {
-    constexpr std::size_t kMostFiles = 100;
-    const bool is_below =
-        !path.empty() && platform::is_relative(path) && path.find("..") == std::string::npos;
-    const std::string& first = files_.front().file();
-    const std::string whole = first.substr(0, first.find_last_of(platform::kSeparators) + 1) + path;
-    if (!is_below || included_.size() >= kMostFiles || !is_regular(whole)) return false;
-    Result<Source> source = load_unpacked(whole);
-    if (!source) return false;
-    included_.push_back(std::make_unique<const Source>(std::move(*source)));
-    files_.emplace_back(*included_.back());
-    return true;
+    text_ = {};
+    return false;
   }
 
   bool is_keyword() const { return text_.starts_with('*'); }
   std::string_view text() const { return text_; }
-  std::size_t line() const { return files_.back().line(); }
+  std::size_t line() const { return lines_.line(); }
   bool goes_on() const { return text_.ends_with(','); }
 
-  // What is between the commas; a comma at the end ends no further field.
   const std::vector<std::string_view>& fields() {
-    fields_.clear();
-    std::string_view rest = text_;
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find(','), rest.size());
-      fields_.push_back(without_blanks(rest.substr(0, end)));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
+    split(text_, fields_);
     return fields_;
   }
 
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const {
-    return files_.back().fail(std::move(expected), std::move(found));
+    return lines_.fail(std::move(expected), std::move(found));
   }
 
  private:
-  std::vector<std::unique_ptr<const Source>> included_;
-  std::deque<TextLines> files_;  // that are being read, the innermost last
+  TextLines lines_;
   std::string_view text_;
   std::vector<std::string_view> fields_;
 };
@@ -151,12 +67,16 @@ std::string keyword_of(std::string_view text) {
   return upper(without_blanks(text.substr(0, text.find(','))));
 }
 
+bool is_option(std::string_view field, std::string_view name) {
+  return upper(without_blanks(field.substr(0, field.find('=')))) == name;
+}
+
 // The value of an option of a keyword; nothing if it does not have it.
 std::optional<std::string> option_as_written(const std::vector<std::string_view>& fields,
                                              std::string_view name) {
   for (const std::string_view field : fields) {
+    if (!is_option(field, name)) continue;
     const std::size_t equals = std::min(field.find('='), field.size());
-    if (upper(without_blanks(field.substr(0, equals))) != name) continue;
     return std::string(without_blanks(field.substr(std::min(equals + 1, field.size()))));
   }
   return std::nullopt;
@@ -167,6 +87,11 @@ std::optional<std::string> option(const std::vector<std::string_view>& fields,
                                   std::string_view name) {
   const auto value = option_as_written(fields, name);
   return value ? std::optional(upper(*value)) : std::nullopt;
+}
+
+std::string without_quotes(const std::string& path) {
+  const bool is_quoted = path.size() > 1 && path.front() == '"' && path.back() == '"';
+  return is_quoted ? path.substr(1, path.size() - 2) : path;
 }
 
 // Keywords that would make the mesh another one than what is listed.
@@ -192,9 +117,8 @@ class AbaqusReader {
   Status read_section();
   Status read_nodes();
   Status read_node();
-  Status read_elements(const AbaqusType& type);
+  Status read_elements(const AbaqusShape& shape);
   Status read_instance();
-  Status read_include();
   Result<Vertex> integer(std::string_view field, std::string_view what) const;
   void skip_data() {
     while (has_line() && !fields_.is_keyword()) is_there_ = fields_.next();
@@ -225,7 +149,7 @@ Status AbaqusReader::read_node() {
   const std::vector<std::string_view>& fields = fields_.fields();
   const Result<Vertex> tag = integer(fields.front(), "the tag of a node");
   if (!tag) return tl::unexpected(tag.error());
-  if (fields.size() < 2 || fields.size() > 7) {
+  if (fields.size() > 7) {
     return fields_.fail("a tag and 3 coordinates of a node",
                         std::to_string(fields.size()) + " fields");
   }
@@ -246,7 +170,7 @@ Status AbaqusReader::read_nodes() {
   if (system && *system != "R") {
     return fields_.fail("rectangular coordinates, SYSTEM=R", quote(*system));
   }
-  if (option(fields_.fields(), "INPUT")) return fields_.fail("a mesh in one file", "INPUT=");
+  if (option(fields_.fields(), "INPUT")) return fields_.fail("a file to include", "INPUT=");
   is_there_ = fields_.next();
   for (; has_line() && !fields_.is_keyword(); is_there_ = fields_.next()) {
     if (Status node = read_node(); !node) return node;
@@ -254,10 +178,11 @@ Status AbaqusReader::read_nodes() {
   return {};
 }
 
-Status AbaqusReader::read_elements(const AbaqusType& type) {
+Status AbaqusReader::read_elements(const AbaqusShape& shape) {
   has_elements_ = true;
-  if (option(fields_.fields(), "INPUT")) return fields_.fail("a mesh in one file", "INPUT=");
+  if (option(fields_.fields(), "INPUT")) return fields_.fail("a file to include", "INPUT=");
   is_there_ = fields_.next();
+  if (shape.nodes == 0) skip_data();
   while (has_line() && !fields_.is_keyword()) {
     const std::size_t line = fields_.line();
     vertices_.clear();
@@ -270,14 +195,17 @@ Status AbaqusReader::read_elements(const AbaqusType& type) {
         if (!number) return tl::unexpected(number.error());
         if (read++ > 0) vertices_.push_back(*number);
       }
-      if (!goes_on || vertices_.size() >= type.nodes) break;
+      if (!goes_on || vertices_.size() >= shape.nodes) break;
       is_there_ = fields_.next();
     }
-    if (vertices_.size() != type.nodes) {
-      return fields_.fail(std::string(type.words) + " of " + std::to_string(type.nodes) + " nodes",
-                          std::to_string(vertices_.size()));
+    if (vertices_.size() != shape.nodes) {
+      return fields_.fail(
+          std::string(shape.words) + " of " + std::to_string(shape.nodes) + " nodes",
+          std::to_string(vertices_.size()));
     }
-    add_element(file_, type.shape, vertices_, type.words, line);
+    // The middle of an edge is listed between its ends.
+    if (shape.shape == ElementShape::kCurvedEdge) std::swap(vertices_[1], vertices_[2]);
+    add_element(file_, shape.shape, vertices_, shape.words, line);
     is_there_ = fields_.next();
   }
   return {};
@@ -291,21 +219,12 @@ Status AbaqusReader::read_instance() {
   return fields_.fail("a part where its nodes say", "an instance that moves it");
 }
 
-Status AbaqusReader::read_include() {
-  const std::string path = option_as_written(fields_.fields(), "INPUT").value_or("");
-  if (!fields_.include(path)) {
-    return fields_.fail("a file to include, in the same folder or below it", quote(path));
-  }
-  is_there_ = fields_.next();
-  return {};
-}
-
 Status AbaqusReader::read_section() {
   const std::string keyword = keyword_of(fields_.text());
   for (const auto& [refused, expected] : kRefused) {
     if (keyword == refused) return fields_.fail(std::string(expected), quote(fields_.text()));
   }
-  if (keyword == "*INCLUDE") return read_include();
+  if (keyword == "*INCLUDE") return fields_.fail("a file to include", quote(fields_.text()));
   if (keyword == "*NODE") return read_nodes();
   if (keyword == "*INSTANCE") return read_instance();
   if (keyword == "*PART" && std::exchange(has_part_, true)) {
@@ -313,8 +232,8 @@ Status AbaqusReader::read_section() {
   }
   if (keyword == "*ELEMENT") {
     const auto name = option(fields_.fields(), "TYPE");
-    const AbaqusType* const type = name ? abaqus_type_of(*name) : nullptr;
-    if (type != nullptr) return read_elements(*type);
+    const AbaqusShape* const shape = name ? abaqus_shape_of(*name) : nullptr;
+    if (shape != nullptr) return read_elements(*shape);
     return fields_.fail("a type of elements that is known, as TYPE=C3D4",
                         name ? quote(*name) : "none");
   }
@@ -355,6 +274,24 @@ bool is_abaqus(const Beginning& beginning) {
            std::isalpha(static_cast<unsigned char>(line[1])) != 0;
   }
   return false;
+}
+
+std::optional<Inclusion> abaqus_inclusion(TextLines lines) {
+  const std::string_view text = without_blanks(lines.text());
+  if (!text.starts_with('*') || text.starts_with("**")) return {};
+  const std::string keyword = keyword_of(text);
+  if (keyword != "*INCLUDE" && keyword != "*NODE" && keyword != "*ELEMENT") return {};
+  std::vector<std::string_view> fields;
+  split(text, fields);
+  const auto path = option_as_written(fields, "INPUT");
+  if (!path) return {};
+  Inclusion inclusion{without_quotes(*path)};
+  if (keyword == "*INCLUDE") return inclusion;
+  for (const std::string_view field : fields) {
+    if (is_option(field, "INPUT")) continue;
+    inclusion.rest += (inclusion.rest.empty() ? "" : ", ") + std::string(field);
+  }
+  return inclusion;
 }
 
 Result<ElementFile> read_abaqus(const Source& source, NumberReading reading) {

@@ -9,8 +9,8 @@
 //
 // Everything else (sets, materials, steps) is skipped. Planar types (CPS3, CPE3, …) and shells are
 // triangles. Nodes are taken as they are listed: what would move or generate them is an error.
-// Files that *Include names are read in its place if they are in the folder of the first or below
-// it.
+// Files that *Include names, or INPUT= of *Node and *Element, are read in its place
+// (included_files.hpp).
 #pragma once
 
 #include <string_view>
@@ -20,6 +20,7 @@
 #include "oracle/formats/beginning.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
+#include "oracle/formats/included_files.hpp"
 
 namespace circumspect::formats {
 
@@ -27,8 +28,11 @@ namespace circumspect::formats {
 bool is_abaqus(const Beginning& beginning);
 
 // Points are in the order of their tags and counted from the lowest (node_tags.hpp). Errors: also,
-// several parts, other systems of coordinates, generated nodes or elements, a part
-// that is moved where it is placed.
+// several parts, other systems of coordinates, generated nodes or elements, a part that is moved
+// where it is placed, an inclusion that is still there.
 Result<ElementFile> read_abaqus(const Source& source, NumberReading reading);
+
+// *Include, input=nodes.inp or *Node, input=nodes.csv
+std::optional<Inclusion> abaqus_inclusion(TextLines lines);
 
 }  // namespace circumspect::formats

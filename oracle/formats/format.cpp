@@ -42,20 +42,43 @@ std::string listed_endings(Has content, bool in_help) {
   return text;
 }
 
+// Lines of several files are none of the one that messages name.
+void forget_lines(DomainFile& file) {
+  std::fill(file.segment_lines.begin(), file.segment_lines.end(), 0);
+  std::fill(file.polygon_lines.begin(), file.polygon_lines.end(), 0);
+}
+
+// What `read` makes of a text and of all that it includes.
+template <class Read>
+auto read_with_included(InclusionAt includes, const Source& source, const Read& read) {
+  using Answer = decltype(read(source, false));
+  if (includes == nullptr) return read(source, false);
+  const Deck deck(source, includes);
+  Answer answer = read(deck.source(), deck.has_included());
+  if (answer) return answer;
+  return Answer(tl::unexpected(deck.at_its_place(std::move(answer.error()))));
+}
+
 }  // namespace
 
 Result<RawPoints> Format::read_points(const Source& source, NumberReading reading) const {
   if (points != nullptr) return points(source, reading);
-  Result<ElementFile> file = elements(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  return RawPoints{std::move(file->points), {}, source.name};
+  const auto read = [&](const Source& text, bool) -> Result<RawPoints> {
+    Result<ElementFile> file = elements(text, reading);
+    if (!file) return tl::unexpected(file.error());
+    return RawPoints{std::move(file->points), {}, source.name};
+  };
+  return read_with_included(includes, source, read);
 }
 
 Result<Contents> Format::read_mesh(const Source& source, NumberReading reading) const {
   if (mesh != nullptr) return mesh(source, reading);
-  Result<ElementFile> file = elements(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  return mesh_of(std::move(*file), source.name);
+  const auto read = [&](const Source& text, bool) -> Result<Contents> {
+    Result<ElementFile> file = elements(text, reading);
+    if (!file) return tl::unexpected(file.error());
+    return mesh_of(std::move(*file), source.name);
+  };
+  return read_with_included(includes, source, read);
 }
 
 Result<DomainFile> Format::read_domain(const Source& source, NumberReading reading) const {
@@ -63,9 +86,14 @@ Result<DomainFile> Format::read_domain(const Source& source, NumberReading readi
     Result<DomainFile> file = domain(source, reading);
     return file ? taken_for_plane(std::move(*file)) : std::move(file);
   }
-  const Result<ElementFile> file = elements(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  return plane_or_space_of(*file, source.name);
+  const auto read = [&](const Source& text, bool has_included) -> Result<DomainFile> {
+    const Result<ElementFile> file = elements(text, reading);
+    if (!file) return tl::unexpected(file.error());
+    Result<DomainFile> whole = plane_or_space_of(*file, source.name);
+    if (whole && has_included) forget_lines(*whole);
+    return whole;
+  };
+  return read_with_included(includes, source, read);
 }
 
 const Format* format_of(std::string_view ending) {

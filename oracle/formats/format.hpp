@@ -17,6 +17,7 @@
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/element_file.hpp"
+#include "oracle/formats/included_files.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/weights.hpp"
 
@@ -49,6 +50,8 @@ struct Format {
   Result<DomainFile> (*domain)(const Source&, NumberReading) = nullptr;
   // Elements of all dimensions: points, a mesh, and unless it is said that all are cells, a domain.
   Result<ElementFile> (*elements)(const Source&, NumberReading) = nullptr;
+  // Finds the files that such a file includes; null if it includes none.
+  InclusionAt includes = nullptr;
   bool are_cells = false;
   bool is_surface = false;  // triangles in space alone, which fill nothing
 

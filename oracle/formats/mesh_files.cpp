@@ -332,8 +332,8 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
 
 Result<MeshFile> read_mesh(MeshRequest request, unsigned threads) {
   if (request.mesh == "-" && request.points == "-") {
-    return tl::unexpected(
-        FormatError{"<stdin>", 0, "the mesh or its points on standard input", "both"});
+    return tl::unexpected(FormatError{std::string(kStandardInputName), 0,
+                                      "the mesh or its points on standard input", "both"});
   }
   load_streams(request);
   if (Status unpacked = unpack_archive(request); !unpacked) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "oracle/formats/bytes/text_lines.hpp"
@@ -172,8 +173,7 @@ Status NastranReader::read_entry() {
                                       "fields in columns, or each behind a comma", quote(name)});
   }
   if (name.starts_with("INCLUDE")) {
-    return tl::unexpected(
-        FormatError{name_, entries_.entry().line, "a mesh in one file", "INCLUDE"});
+    return tl::unexpected(FormatError{name_, entries_.entry().line, "a file to include", name});
   }
   const auto* const type = std::find_if(kEntryTypes.begin(), kEntryTypes.end(),
                                         [&](const EntryType& one) { return one.name == name; });
@@ -208,6 +208,30 @@ bool is_nastran(const Beginning& beginning) {
     }
   }
   return false;
+}
+
+std::optional<Inclusion> nastran_inclusion(TextLines lines) {
+  constexpr std::string_view kName = "INCLUDE";
+  constexpr std::size_t kMostLines = 20;
+  std::string_view text = without_blanks(lines.text());
+  if (text.size() < kName.size() || upper(text.substr(0, kName.size())) != kName) return {};
+  text.remove_prefix(kName.size());
+  if (!text.empty() && std::isalnum(static_cast<unsigned char>(text.front())) != 0) return {};
+  text = without_blanks(text);
+  if (!text.starts_with('\'') && !text.starts_with('"')) {
+    return Inclusion{std::string(without_blanks(text.substr(0, text.find('$'))))};
+  }
+  const char mark = text.front();
+  Inclusion inclusion;
+  text.remove_prefix(1);
+  while (text.find(mark) == std::string_view::npos) {
+    inclusion.path += without_blanks(text);
+    if (inclusion.lines == kMostLines || !lines.next()) return inclusion;
+    ++inclusion.lines;
+    text = lines.text();
+  }
+  inclusion.path += without_blanks(text.substr(0, text.find(mark)));
+  return inclusion;
 }
 
 Result<ElementFile> read_nastran(const Source& source, NumberReading reading) {

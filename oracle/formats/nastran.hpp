@@ -8,9 +8,9 @@
 //     +              5                            a line may go on after a blank, + or *
 //     ENDDATA
 //
-// All other entries (properties, materials, loads) are skipped. Nodes of other systems of
-// coordinates are moved to the basic one where that is exact (nastran_systems.hpp), and refused
-// elsewhere.
+// All other entries (properties, materials, loads) are skipped. Files that INCLUDE names are read
+// in its place (included_files.hpp). Nodes of other systems of coordinates are moved to the basic
+// one where that is exact (nastran_systems.hpp), and refused elsewhere.
 #pragma once
 
 #include "kernel/exact/number.hpp"
@@ -18,6 +18,7 @@
 #include "oracle/formats/beginning.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
+#include "oracle/formats/included_files.hpp"
 
 namespace circumspect::formats {
 
@@ -25,8 +26,11 @@ namespace circumspect::formats {
 bool is_nastran(const Beginning& beginning);
 
 // Points are in the order of their tags and counted from the lowest (node_tags.hpp); properties are
-// labels. Errors: also, included files, and nodes in a system of coordinates that has no exact
-// place in the basic one.
+// labels. Errors: also, an INCLUDE that is still there, and nodes in a system of coordinates that
+// has no exact place in the basic one.
 Result<ElementFile> read_nastran(const Source& source, NumberReading reading);
+
+// INCLUDE 'mesh/nodes.bdf', whose name may go on over lines until the quote ends, or may have none.
+std::optional<Inclusion> nastran_inclusion(TextLines lines);
 
 }  // namespace circumspect::formats

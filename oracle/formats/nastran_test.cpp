@@ -110,7 +110,7 @@ TEST_CASE("nastran: faults and their lines") {
   CHECK(nastran_error("GRID,,,1.\n") == "f:1: expected the tag of a node, found an empty field");
   CHECK(nastran_error("GRID,1,,0.,1,5\nGRID*,2,,0.,0.\n*,l.\n") ==
         "f:3: expected a finite number, found \"l.\"");
-  CHECK(nastran_error("INCLUDE 'x.bdf'\n") == "f:1: expected a mesh in one file, found INCLUDE");
+  CHECK(nastran_error("INCLUDE 'x.bdf'\n") == "f:1: expected a file to include, found INCLUDE");
   CHECK(nastran_error(grid + "CTETRA,1,1,1,1,1\n") ==
         "f:2: expected a tetrahedron of 4 nodes, found an empty field");
   CHECK(nastran_error(grid + "CTETRA,1,1,1,1,1,1.5\n") ==

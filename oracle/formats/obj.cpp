@@ -68,11 +68,18 @@ class ObjReader {
 
  private:
   Status read_point() {
-    if (lines_.size() < 4) {
-      return lines_.fail("3 coordinates", std::to_string(lines_.size() - 1));
+    const std::size_t coordinates = lines_.size() - 1;
+    // Some programs write the plane without a third coordinate.
+    if (file_.points.points.empty()) is_of_plane_ = coordinates == 2;
+    if (is_of_plane_ ? coordinates != 2 : coordinates < 3) {
+      return lines_.fail(is_of_plane_ ? "2 coordinates, as of the points before" : "3 coordinates",
+                         std::to_string(coordinates));
     }
-    const Status point = lines_.add_numbers(1, 3, reading_, file_.points.points);
-    return point ? lines_.check_numbers(4, lines_.size() - 4, reading_) : point;
+    const std::size_t columns = is_of_plane_ ? 2 : 3;
+    const Status point = lines_.add_numbers(1, columns, reading_, file_.points.points);
+    if (!point) return point;
+    if (is_of_plane_) file_.points.points.add(0);
+    return lines_.check_numbers(1 + columns, coordinates - columns, reading_);
   }
 
   // The index of a point: 7, 7/1, 7//2, 7/1/2; from −1 on those before this line, backwards.
@@ -112,6 +119,7 @@ class ObjReader {
 
   Lines lines_;
   NumberReading reading_;
+  bool is_of_plane_ = false;
   ElementFile file_;
   Simplex vertices_;  // of one element
 };

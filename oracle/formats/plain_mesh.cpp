@@ -114,8 +114,8 @@ std::optional<MeshFile> read_rows(const MeshRequest& request, const PlainReading
   MeshFile file;
   Mesh& mesh = file.mesh;
   mesh.first_index = points->first_index;
-  file.points_name = points_path == "-" ? "<stdin>" : points_path;
-  file.mesh_name = path == "-" ? "<stdin>" : path;
+  file.points_name = points_path == "-" ? std::string(kStandardInputName) : points_path;
+  file.mesh_name = path == "-" ? std::string(kStandardInputName) : path;
   if (request.weights == Weights::kDemanded) {
     if (points->weights.rows() != points->coordinates.rows()) return std::nullopt;
     mesh.weights = std::move(points->weights);

@@ -312,6 +312,12 @@ TEST_CASE("obj: points, faces and lines; the rest is read over") {
         "f:13: expected edges, triangles and tetrahedra, found a face of 4 vertices");
 }
 
+TEST_CASE("obj: points of the plane may have two coordinates") {
+  const auto file = obj("v 0 0\nv 1 0\nv 0 1/3\nf 1 2 3\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, Rational(1, 3), 0}});
+}
+
 TEST_CASE("obj: what is refused") {
   CHECK(error_of(obj(kThreeVertices + "f 1 2\n")) ==
         "f:4: expected a face of 3 vertices or more, found 2");
@@ -325,7 +331,10 @@ TEST_CASE("obj: what is refused") {
         "f:4: expected one of the 3 vertices so far, found \"-9223372036854775808\"");
   CHECK(error_of(obj(kThreeVertices + "f 1 2 a\n")) ==
         "f:4: expected a vertex, an integer that fits 64 bits, found \"a\"");
-  CHECK(error_of(obj("v 0 0\n")) == "f:1: expected 3 coordinates, found 2");
+  CHECK(error_of(obj("v 0\n")) == "f:1: expected 3 coordinates, found 1");
+  CHECK(error_of(obj("v 0 0 0\nv 0 0\n")) == "f:2: expected 3 coordinates, found 2");
+  CHECK(error_of(obj("v 0 0\nv 0 0 0\n")) ==
+        "f:2: expected 2 coordinates, as of the points before, found 3");
   CHECK(error_of(obj("v 0 0 inf\n")) == "f:1: expected a finite number, found \"inf\"");
   CHECK(error_of(obj("v 0 0 0 red\n")) == "f:1: expected a finite number, found \"red\"");
   CHECK(error_of(obj("v 0 0 \\\n\\\n x\nv 0 0 y\n")) ==

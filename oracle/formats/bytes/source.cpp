@@ -92,7 +92,7 @@ Result<std::string> read_all(const std::string& name, int descriptor, std::size_
 
 Result<Source> load(const std::string& path) {
   const bool is_stdin = path == "-";
-  const std::string name = is_stdin ? "<stdin>" : path;
+  const std::string name = is_stdin ? std::string(kStandardInputName) : path;
   std::size_t expected = 0;
   if (!is_stdin) {
     // Asked before opening, since to open a device can already have an effect.

@@ -41,8 +41,11 @@ struct Source {
   std::string text;
 };
 
-// Reads a whole file, or a pipe; "-" is standard input, named "<stdin>". A directory, a device, a
-// file that is not there or may not be read is an error that says so.
+// The name of standard input in messages.
+inline constexpr std::string_view kStandardInputName = "<stdin>";
+
+// Reads a whole file, or a pipe; "-" is standard input. A directory, a device, a file that is not
+// there or may not be read is an error that says so.
 Result<Source> load(const std::string& path);
 
 // Is there a file, of whatever kind, at this path?

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/number_text.hpp"
 #include "oracle/judge/cause/rows.hpp"
+#include "oracle/judge/cause/uncut.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::check {
@@ -32,6 +34,14 @@ class BrokenAt {
     }
   }
 
+  explicit BrokenAt(const std::vector<Uncut>& uncut) {
+    for (const Uncut& one : uncut) {
+      cells_.push_back(one.face);
+      cells_.back().push_back(one.vertex);
+      vertices_.insert(cells_.back().begin(), cells_.back().end());
+    }
+  }
+
   // A face of the boundary all of whose vertices are there, or two simplices that have the vertex
   // and the face in which it hangs, or both diagonals.
   bool explains(const Witness& witness) const {
@@ -49,8 +59,7 @@ class BrokenAt {
 
 // What it explains of a claim that says what is covered, of the violations whose witnesses are
 // kept.
-Cause of_listed(Case& of, std::string name, std::string words, Rule rule) {
-  const BrokenAt broken(*of.as_complex(), rule);
+Cause of_listed(Case& of, std::string name, std::string words, const BrokenAt& broken) {
   Cause cause{std::move(name), std::move(words), 0, of.verdict().violations().size(), true};
   for (const Violation& violation : of.verdict().violations()) {
     cause.explains += broken.explains(violation.witness) ? 1 : 0;
@@ -95,10 +104,29 @@ std::optional<Cause> hanging_vertices(Case& of) {
                         vertices)
           : fmt::format("{} inside faces of simplices that are not cut there", vertices);
   const bool is_own = of.verdict().claim() == Claim::kComplex;
-  if (!is_own) return of_listed(of, "hanging-vertices", words, Rule::kHangingVertex);
+  if (!is_own)
+    return of_listed(of, "hanging-vertices", words, BrokenAt(*alone, Rule::kHangingVertex));
   const bool is_all = count == of.violations();
   return of.cause("hanging-vertices",
                   words + (is_all ? " (--allow hanging-vertex lets them pass)" : ""), count);
+}
+
+std::optional<Cause> vertices_beside_faces(Case& of) {
+  if (!may_be_apart(of)) return std::nullopt;
+  const std::vector<Uncut> uncut = uncut_faces(of.mesh());
+  std::set<Vertex> vertices;
+  Rational farthest = 0;
+  for (const Uncut& one : uncut) {
+    vertices.insert(one.vertex);
+    farthest = std::max(farthest, one.squared_distance);
+  }
+  if (farthest == 0) return std::nullopt;  // they are in faces: another row
+  const std::string words = fmt::format(
+      "{} beside faces of simplices that are not cut there, at most ~ {} from them, as if rounded: "
+      "once cut, both sides have the same facets",
+      vertices.size() == 1 ? "1 vertex lies" : fmt::format("{} vertices lie", vertices.size()),
+      square_root_to_decimal(farthest));
+  return of_listed(of, "hanging-vertices-rounded", words, BrokenAt(uncut));
 }
 
 std::optional<Cause> crossed_diagonals(Case& of) {
@@ -110,7 +138,7 @@ std::optional<Cause> crossed_diagonals(Case& of) {
       fmt::format("parts that were meshed apart meet in {} with different diagonals",
                   report::counted(count, "quadrilateral"));
   if (of.verdict().claim() != Claim::kComplex) {
-    return of_listed(of, "crossed-diagonals", words, Rule::kFacesCross);
+    return of_listed(of, "crossed-diagonals", words, BrokenAt(*alone, Rule::kFacesCross));
   }
   return of.cause("crossed-diagonals", words, count);
 }

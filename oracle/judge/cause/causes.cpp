@@ -34,6 +34,9 @@ const std::vector<Row>& rows() {
       {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
         Rule::kHangingVertex, Rule::kOverlap},
        hanging_vertices},
+      {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
+        Rule::kOverlap},
+       vertices_beside_faces},
       {{Rule::kOverlap, Rule::kDegenerateSimplex, Rule::kHullNotConvex, Rule::kHullNotClosed,
         Rule::kCoveredTwice, Rule::kFacetNotLocal, Rule::kVertexInBall},
        one_vertex},
@@ -53,7 +56,9 @@ Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge)
                                        [&](Rule rule) { return of.breaks(rule); });
     const bool are_explained =
         !all.found.empty() && all.found.back().explains == all.found.back().of;
-    if (are_explained) break;
+    // Of points that belong to another mesh, all else is a consequence.
+    const bool are_others = !all.found.empty() && all.found.back().name == "points-of-another-mesh";
+    if (are_explained || are_others) break;
     if (!is_broken) continue;
     if (auto cause = row.find(of); cause && cause->explains > 0) {
       all.found.push_back(std::move(*cause));

@@ -115,6 +115,13 @@ void check_lists(std::size_t side) {
           "mesh, or not all of them: the last one is " +
               last + ", and simplices name vertices up to " +
               std::to_string(good.points.size() - 1));
+    // Even if one simplex lies on most others, which would explain more.
+    for (std::size_t i = 0; i <= kDimension; ++i) {
+      Point& corner = fewer.at(fewer.simplices[0][i]);
+      corner = Point(kDimension, Rational(-100));
+      if (i > 0) corner[i - 1] = 1000;
+    }
+    CHECK(causes_of(fewer, claim).front().name == "points-of-another-mesh");
     Lists wrong = good;
     wrong.simplices.back().back() = static_cast<Vertex>(good.points.size()) + 3;
     CHECK(named(wrong, claim) == "none");

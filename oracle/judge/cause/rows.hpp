@@ -27,4 +27,7 @@ std::optional<Cause> equal_points_of_parts(Case& of);
 std::optional<Cause> hanging_vertices(Case& of);
 std::optional<Cause> crossed_diagonals(Case& of);
 
+// The simplices beside the vertices are cut, and their facets compared.
+std::optional<Cause> vertices_beside_faces(Case& of);
+
 }  // namespace circumspect::check

@@ -1,0 +1,91 @@
+// Vertices that were rounded away from a face that only one side is cut at are named, with how far
+// they are off; those that are farther away are not.
+#include "oracle/judge/cause/uncut.hpp"
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/cause/causes.hpp"
+#include "oracle/judge/judge.hpp"
+
+namespace circumspect::check {
+namespace {
+
+Mesh mesh_of(const std::vector<Point>& points, const std::vector<Simplex>& simplices) {
+  Mesh mesh;
+  mesh.coordinates = numbers_of(points, points.front().size());
+  mesh.simplices = IndexLists(simplices);
+  return mesh;
+}
+
+std::vector<Cause> causes_of_complex(const Mesh& mesh) {
+  const auto judged = [](const Mesh& one) -> std::optional<Verdict> {
+    auto verdict = judge(Claim::kComplex, one, nullptr, {});
+    if (!verdict) return std::nullopt;
+    return std::move(*verdict);
+  };
+  const auto verdict = judged(mesh);
+  REQUIRE(verdict.has_value());
+  return causes(*verdict, mesh, judged).found;
+}
+
+const Rational kOff(1, 1L << 40);
+
+// The triangle above the edge 0 1 is not cut; those below meet in two vertices near it.
+Mesh plane(const Rational& off) {
+  return mesh_of({{0, 0}, {3, 0}, {1, off}, {2, off / 2}, {1, -2}, {1, 3}},
+                 {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}});
+}
+
+}  // namespace
+
+TEST_CASE("causes: vertices in the plane that were rounded away from an edge") {
+  const Mesh mesh = plane(kOff);
+  const std::vector<Uncut> found = uncut_faces(mesh);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].squared_distance == kOff * kOff);
+  const std::vector<Cause> causes = causes_of_complex(mesh);
+  REQUIRE(causes.size() == 1);
+  CHECK(causes[0].name == "hanging-vertices-rounded");
+  // The overlap of the part between the second vertex and the end names no whole face that is cut.
+  CHECK(causes[0].explains == 2);
+  CHECK(causes[0].of == 3);
+  CHECK(causes[0].words ==
+        "2 vertices lie beside faces of simplices that are not cut there, at most ~ "
+        "9.094947017729282e-13 from them, as if rounded: once cut, both sides have the same "
+        "facets");
+  CHECK(uncut_faces(plane(Rational(1, 10))).empty());
+  // Cut at another vertex, the facets do not match.
+  CHECK(uncut_faces(mesh_of({{0, 0}, {3, 0}, {1, kOff}, {2, -1}, {1, -2}, {1, 3}},
+                            {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}}))
+            .empty());
+}
+
+TEST_CASE("causes: a vertex in space that was rounded away from an edge, or from a triangle") {
+  std::vector<Point> points = {{0, 0, 0},  {0, 0, 2},  {kOff, -kOff, 1}, {2, 0, 1}, {1, 2, 1},
+                               {-1, 2, 1}, {-2, 0, 1}, {-1, -2, 1},      {1, -2, 1}};
+  std::vector<Simplex> ring;
+  for (Vertex i = 0; i < 6; ++i) {
+    const Vertex p = 3 + i, q = 3 + (i + 1) % 6;
+    if (i < 3) {
+      ring.push_back({0, 2, p, q});
+      ring.push_back({2, 1, p, q});
+    } else {
+      ring.push_back({0, 1, p, q});
+    }
+  }
+  const std::vector<Cause> at_edge = causes_of_complex(mesh_of(points, ring));
+  REQUIRE(!at_edge.empty());
+  CHECK(at_edge[0].name == "hanging-vertices-rounded");
+  CHECK(at_edge[0].words.starts_with("1 vertex lies beside faces"));
+  CHECK(at_edge[0].explains == at_edge[0].of);
+  const Mesh on_triangle =
+      mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, kOff}, {1, 1, -2}, {1, 1, 3}},
+              {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
+  const std::vector<Uncut> found = uncut_faces(on_triangle);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].face == Simplex{0, 1, 2});
+  CHECK(found[0].squared_distance == kOff * kOff);
+  CHECK(causes_of_complex(on_triangle)[0].name == "hanging-vertices-rounded");
+}
+
+}  // namespace circumspect::check
