@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <charconv>
 #include <limits>
 #include <numeric>
 
 #include "kernel/boxes/point_search.hpp"
-#include "kernel/complex/vertex_sets.hpp"
 #include "oracle/certificate/scaled_points.hpp"
+#include "oracle/judge/fast/facet_matching.hpp"
 
 namespace circumspect::certificate {
 
@@ -23,9 +22,7 @@ Lines& Lines::operator<<(std::string_view token) {
 
 Lines& Lines::operator<<(const Integer& number) {
   if (!number.fits_slong_p()) return *this << std::string_view(number.get_str());
-  std::array<char, 24> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number.get_si()).ptr;
-  return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  return *this << number.get_si();
 }
 
 Lines& Lines::gap() {
@@ -96,26 +93,33 @@ std::vector<FaceUse> facets(const ExactMesh& mesh) {
 void sort(std::vector<FaceUse>& uses) { std::sort(uses.begin(), uses.end()); }
 
 std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
-  std::vector<Vertex> order(points.size());
-  std::iota(order.begin(), order.end(), Vertex{0});
-  std::sort(order.begin(), order.end(), [&](Vertex a, Vertex b) {
+  // Rounding towards zero keeps the order of numbers, so doubles decide unless they are equal.
+  std::vector<std::pair<double, Vertex>> order;
+  order.reserve(points.size());
+  for (Vertex v = 0; static_cast<std::size_t>(v) < points.size(); ++v) {
+    order.emplace_back(points.coordinate(v, 0).get_d(), v);
+  }
+  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
     for (std::size_t axis = 0; axis < points.dimension; ++axis) {
-      const int comparison = cmp(points.coordinate(a, axis), points.coordinate(b, axis));
+      const int comparison =
+          cmp(points.coordinate(a.second, axis), points.coordinate(b.second, axis));
       if (comparison != 0) return comparison < 0;
     }
-    return a < b;
+    return a.second < b.second;
   });
-  return order;
+  std::vector<Vertex> vertices;
+  vertices.reserve(order.size());
+  for (const auto& [x, v] : order) vertices.push_back(v);
+  return vertices;
 }
 
 namespace {
 
 // Swaps two vertices where that makes the orientation positive.
-std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh,
-                                                 const ScaledPoints& points) {
-  Sidedness sidedness(points);
+std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh, std::size_t size,
+                                                 Sidedness& sidedness) {
   std::vector<CertifiedSimplex> simplices(mesh.simplices.size());
-  const std::size_t size = points.dimension + 1;
   for (std::size_t s = 0; s < simplices.size(); ++s) {
     const Simplex& simplex = mesh.simplices[s];
     assert(simplex.size() == size);
@@ -130,41 +134,78 @@ std::vector<std::uint32_t> short_indices(std::span<const Vertex> vertices) {
   return {vertices.begin(), vertices.end()};
 }
 
+// The place of the vertex of `row` that is not in the facet of `other` opposite that place;
+// nothing if the rest of the row is not that facet.
+template <std::size_t kSize>
+std::optional<std::size_t> place_beyond(std::span<const std::int32_t, kSize> row,
+                                        std::span<const std::int32_t, kSize> other,
+                                        std::size_t place) {
+  std::optional<std::size_t> beyond;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    const auto found = std::find(other.begin(), other.end(), row[i]);
+    if (found != other.end() && found - other.begin() != static_cast<std::ptrdiff_t>(place)) {
+      continue;
+    }
+    if (beyond) return std::nullopt;
+    beyond = i;
+  }
+  return beyond;
+}
+
+// Sets what is across the facets that are linked. False if some link is wrong.
+template <std::size_t kSize>
+bool set_across(const fast::MeshView<kSize - 1, std::int32_t>& mesh,
+                std::span<const std::int32_t> links, std::vector<CertifiedSimplex>& simplices) {
+  bool are_right = true;
+  for (std::size_t facet = 0; facet < links.size(); ++facet) {
+    const std::size_t s = facet / kSize;
+    if (links[facet] < static_cast<std::int64_t>(s)) continue;  // none, or it was looked at
+    const auto other = static_cast<std::size_t>(links[facet]);
+    const auto place = place_beyond(mesh.row(other), mesh.row(s), facet % kSize);
+    are_right &= place.has_value();
+    if (!place) continue;
+    simplices[s].across[facet % kSize] = {static_cast<std::uint32_t>(other),
+                                          static_cast<std::int32_t>(*place)};
+    simplices[other].across[*place] = {static_cast<std::uint32_t>(s),
+                                       static_cast<std::int32_t>(facet % kSize)};
+  }
+  return are_right;
+}
+
 // Matches the facets two by two; what is left over is the hull.
 template <std::size_t kSize>
 void match_facets_of(Certificate& certificate) {
+  constexpr std::size_t kDimension = kSize - 1;
   std::vector<CertifiedSimplex>& simplices = certificate.simplices;
-  const VertexSets<kSize - 1> facets(certificate.points.size(), [&](const auto& visit) {
-    for (std::size_t s = 0; s < simplices.size(); ++s) {
-      for (std::size_t place = 0; place < kSize; ++place) {
-        typename VertexSets<kSize - 1>::Set facet;
-        for (std::size_t i = 0; i + 1 < kSize; ++i) {
-          facet[i] = static_cast<std::int32_t>(simplices[s].vertices[i < place ? i : i + 1]);
-        }
-        visit(facet, static_cast<std::int32_t>(s * kSize + place));
-      }
+  std::vector<std::int32_t> rows;
+  rows.reserve(simplices.size() * kSize);
+  for (const CertifiedSimplex& simplex : simplices) {
+    for (std::size_t i = 0; i < kSize; ++i) {
+      rows.push_back(static_cast<std::int32_t>(simplex.vertices[i]));
     }
-  });
-  facets.for_each_group([&](std::int32_t, auto group) {
-    const auto use_of = [](const auto& entry) {
-      const auto origin = static_cast<std::uint32_t>(entry.origin);
-      return Across{origin / std::uint32_t{kSize},
-                    static_cast<std::int32_t>(origin % std::uint32_t{kSize})};
-    };
-    const auto across = [&](const Across& use) -> Across& {
-      return simplices[use.cell].across[static_cast<std::size_t>(use.place)];
-    };
-    const Across use = use_of(group.front());
-    if (group.size() == 1) {
-      across(use).cell = static_cast<std::uint32_t>(certificate.hull.size());
-      certificate.hull.push_back({use.cell, static_cast<std::uint32_t>(use.place)});
-      return;
+  }
+  // The engine asks how many points there are, and not where.
+  const std::vector<double> anywhere(certificate.points.size() * kDimension);
+  const fast::MeshView<kDimension, std::int32_t> mesh{anywhere, {}, rows};
+  // A complete proposal links two facets wrongly only if both are of the hull.
+  for (const auto proposal : {fast::Proposal::kLikely, fast::Proposal::kComplete}) {
+    const auto links = fast::matched_facets(mesh, 1, proposal);
+    assert(links && links->overused.empty());
+    if (set_across<kSize>(mesh, links->view(), simplices)) break;
+  }
+  std::vector<FaceUse> hull;
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    for (std::size_t place = 0; place < kSize; ++place) {
+      if (simplices[s].across[place].place != Across::kHull) continue;
+      hull.push_back(face_use(short_indices({simplices[s].vertices.data(), kSize}), s, place));
     }
-    assert(group.size() == 2);
-    const Across other = use_of(group.back());
-    across(use) = other;
-    across(other) = use;
-  });
+  }
+  sort(hull);
+  for (const FaceUse& use : hull) {
+    simplices[use.cell].across[use.place].cell =
+        static_cast<std::uint32_t>(certificate.hull.size());
+    certificate.hull.push_back({use.cell, use.place});
+  }
 }
 
 void match_facets(Certificate& certificate) {
@@ -220,11 +261,10 @@ void find_incidences(Certificate& certificate) {
 
 // The barycentre of the first simplex is in the interior of what the mesh covers, so on the inner
 // side of all hull facets, and in no other simplex (docs/theory/points.md).
-void choose_sample(Certificate& certificate) {
+void choose_sample(Certificate& certificate, Sidedness& sidedness) {
   const std::size_t size = certificate.points.dimension + 1;
   const std::array<Vertex, 4>& first = certificate.simplices.front().vertices;
   certificate.sample = barycentre(certificate.points, Simplex(first.begin(), first.begin() + size));
-  Sidedness sidedness(certificate.points);
   for (std::size_t s = 1; s < certificate.simplices.size(); ++s) {
     CertifiedSimplex& simplex = certificate.simplices[s];
     const auto vertices = std::span<const Vertex>(simplex.vertices).first(size);
@@ -241,11 +281,12 @@ Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints poin
   assert(mesh.simplices.size() < std::size_t{1} << 29);  // facets are numbered
   Certificate certificate{claim, std::move(points)};
   certificate.order = lexicographic_order(certificate.points);
-  certificate.simplices = positive_simplices(mesh, certificate.points);
+  Sidedness sidedness(certificate.points);
+  certificate.simplices = positive_simplices(mesh, certificate.points.dimension + 1, sidedness);
   match_facets(certificate);
   match_ridges(certificate);
   find_incidences(certificate);
-  choose_sample(certificate);
+  choose_sample(certificate, sidedness);
   return certificate;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <charconv>
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -30,6 +31,15 @@ class Lines {
 
   Lines& operator<<(std::string_view token);
   Lines& operator<<(const Integer& number);
+  // Any integer of the machine.
+  template <std::integral Number>
+  Lines& operator<<(Number number) {
+    std::array<char, 24> token = {' '};
+    const auto end = std::to_chars(token.data() + 1, token.data() + token.size(), number).ptr;
+    text_.append(token.data() + (at_start_ ? 1 : 0), end);
+    at_start_ = false;
+    return *this;
+  }
   // Separates groups of tokens.
   Lines& gap();
   void end_line();
@@ -41,12 +51,6 @@ class Lines {
   std::string text_;
   bool at_start_ = true;
 };
-
-// Any integer of the machine.
-template <std::integral Number>
-Lines& operator<<(Lines& lines, Number number) {
-  return lines << std::string_view(std::to_string(number));
-}
 
 // A claim, its dimension and what else is said of it, after the first words of a file, `kind` and
 // its version.

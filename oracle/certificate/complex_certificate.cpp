@@ -1,6 +1,7 @@
 #include "oracle/certificate/complex_certificate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
 #include <numeric>
@@ -55,13 +56,11 @@ bool is_zero(const Hyperplane& plane) {
 
 class Partings {
  public:
-  Partings(const ExactMesh& mesh, const ScaledPoints& points) : mesh_(mesh), points_(points) {
-    for (const Simplex& simplex : mesh.simplices) own_planes_.push_back(own_planes(simplex));
-  }
+  Partings(const ExactMesh& mesh, const ScaledPoints& points);
 
   std::vector<Vector> pads(const Simplex& simplex) const;
   // Nothing if the hyperplane of a facet shows it.
-  std::optional<Parting> between(std::size_t s, std::size_t t) const;
+  std::optional<Parting> between(std::size_t s, std::size_t t);
 
  private:
   Vector place(Vertex v) const {
@@ -76,38 +75,61 @@ class Partings {
     for (const Vertex v : simplex) all.push_back(place(v));
     return all;
   }
-  // Outward; of a simplex in a hyperplane, both sides of this one.
-  std::vector<Hyperplane> own_planes(const Simplex& simplex) const;
+  // Is there a facet of simplex s such that each vertex of the other simplex is a vertex of it, or
+  // lies strictly beyond its hyperplane? A simplex in a hyperplane is a facet with two sides.
+  bool is_beyond_facet(std::size_t s, const Simplex& other);
+  // On which side of the facet opposite vertex number `place` a vertex lies: positive on that of
+  // the vertex opposite. Of a simplex in a hyperplane, `place` is its size, and either side may be
+  // the positive one.
+  int side(std::size_t s, std::size_t place, Vertex v);
+  // Does the hyperplane through the chosen points of completed(a, b) not part a from b? False, too,
+  // if one of them is no vertex: then integers decide.
+  bool crosses(const std::vector<bool>& is_chosen, const Simplex& a, const Simplex& b);
   // Points that span, together with the vertices of both, the plane or space.
   std::vector<Vector> completed(const Simplex& a, const Simplex& b) const;
   bool parts(const Hyperplane& plane, const Simplex& above, const Simplex& below) const;
 
   const ExactMesh& mesh_;
   const ScaledPoints& points_;
-  std::vector<std::vector<Hyperplane>> own_planes_;
+  Sidedness sidedness_;
+  std::vector<signed char> orientations_;  // 0 for a simplex that has none
 };
 
-std::vector<Hyperplane> Partings::own_planes(const Simplex& simplex) const {
-  const std::vector<Vector> all = places(simplex);
-  if (all.size() == points_.dimension) {
-    Hyperplane plane = through(all);
-    Hyperplane other{{}, -plane.offset};
-    for (const Integer& x : plane.normal) other.normal.emplace_back(-x);
-    return {std::move(plane), std::move(other)};
+Partings::Partings(const ExactMesh& mesh, const ScaledPoints& points)
+    : mesh_(mesh), points_(points), sidedness_(points) {
+  orientations_.reserve(mesh.simplices.size());
+  for (const Simplex& simplex : mesh.simplices) {
+    const bool has_one = simplex.size() == points.dimension + 1;
+    orientations_.push_back(
+        static_cast<signed char>(has_one ? sidedness_.orientation(simplex) : 0));
   }
-  std::vector<Hyperplane> planes;
-  if (all.size() != points_.dimension + 1) return planes;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::vector<Vector> facet = all;
-    facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(i));
-    Hyperplane plane = through(facet);
-    if (plane.at(all[i]) > 0) {
-      for (Integer& x : plane.normal) x = -x;
-      plane.offset = -plane.offset;
-    }
-    planes.push_back(std::move(plane));
+}
+
+int Partings::side(std::size_t s, std::size_t place, Vertex v) {
+  const Simplex& simplex = mesh_.simplices[s];
+  std::array<Vertex, 4> moved;
+  std::copy(simplex.begin(), simplex.end(), moved.begin());
+  moved[place] = v;
+  const int sign = sidedness_.orientation(std::span(moved).first(points_.dimension + 1));
+  return orientations_[s] == 0 ? sign : sign * orientations_[s];
+}
+
+bool Partings::is_beyond_facet(std::size_t s, const Simplex& other) {
+  const Simplex& simplex = mesh_.simplices[s];
+  const std::size_t d = points_.dimension;
+  if (simplex.size() < d) return false;
+  const auto all_are_beyond = [&](std::size_t place, int sign) {
+    return std::all_of(other.begin(), other.end(), [&](Vertex v) {
+      const auto own = std::find(simplex.begin(), simplex.end(), v);
+      if (own != simplex.end()) return own - simplex.begin() != static_cast<std::ptrdiff_t>(place);
+      return side(s, place, v) * sign > 0;
+    });
+  };
+  if (simplex.size() == d) return all_are_beyond(d, 1) || all_are_beyond(d, -1);
+  for (std::size_t place = 0; place <= d; ++place) {
+    if (all_are_beyond(place, -1)) return true;
   }
-  return planes;
+  return false;
 }
 
 std::vector<Vector> Partings::pads(const Simplex& simplex) const {
@@ -187,15 +209,39 @@ std::vector<Vector> Partings::completed(const Simplex& a, const Simplex& b) cons
   return all;
 }
 
-std::optional<Parting> Partings::between(std::size_t s, std::size_t t) const {
+bool Partings::crosses(const std::vector<bool>& is_chosen, const Simplex& a, const Simplex& b) {
+  const std::size_t d = points_.dimension;
+  std::array<Vertex, 4> through;  // and the vertex that is looked at
+  std::size_t size = 0, number = 0;
+  const auto take = [&](Vertex v) {
+    if (is_chosen[number++]) through[size++] = v;
+  };
+  for (const Vertex v : a) take(v);
+  for (const Vertex v : b) {
+    if (!contains(a, v)) take(v);
+  }
+  if (size < d) return false;
+  const auto end_of_chosen = through.begin() + static_cast<std::ptrdiff_t>(d);
+  bool may_be_above = true, may_be_below = true;  // a, and b on the other side
+  const auto look_at = [&](const Simplex& simplex, int side) {
+    for (const Vertex v : simplex) {
+      if (std::find(through.begin(), end_of_chosen, v) != end_of_chosen) continue;
+      through[d] = v;
+      const int sign = side * sidedness_.orientation(std::span(through).first(d + 1));
+      may_be_above &= sign >= 0;
+      may_be_below &= sign <= 0;
+      if (!may_be_above && !may_be_below) return;
+    }
+  };
+  look_at(a, 1);
+  if (may_be_above || may_be_below) look_at(b, -1);
+  return !may_be_above && !may_be_below;
+}
+
+std::optional<Parting> Partings::between(std::size_t s, std::size_t t) {
   const Simplex& a = mesh_.simplices[s];
   const Simplex& b = mesh_.simplices[t];
-  for (const Hyperplane& plane : own_planes_[s]) {
-    if (parts(plane, b, a)) return std::nullopt;
-  }
-  for (const Hyperplane& plane : own_planes_[t]) {
-    if (parts(plane, a, b)) return std::nullopt;
-  }
+  if (is_beyond_facet(s, b) || is_beyond_facet(t, a)) return std::nullopt;
   // The hyperplanes that do not cross the two make a cone, whose extreme rays go through d points:
   // the sum of these is in no face of it (docs/theory/complex.md).
   const std::size_t d = points_.dimension;
@@ -204,6 +250,7 @@ std::optional<Parting> Partings::between(std::size_t s, std::size_t t) const {
   std::vector<bool> is_chosen(all.size(), false);
   std::fill_n(is_chosen.begin(), d, true);
   do {
+    if (crosses(is_chosen, a, b)) continue;
     std::vector<Vector> chosen;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (is_chosen[i]) chosen.push_back(all[i]);
@@ -270,17 +317,20 @@ ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints po
   ComplexCertificate made{.points = std::move(points)};
   made.order = lexicographic_order(made.points);
   made.incidences.resize(made.points.size());
+  std::vector<Box> around_points;
+  for (const Point& point : mesh.points.points()) around_points.push_back(box_around(point));
+  const auto around = [&](Vertex v) { return around_points[static_cast<std::size_t>(v)]; };
   std::vector<Box> boxes;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
     const Simplex& simplex = mesh.simplices[s];
-    boxes.push_back(box_around(mesh.points[simplex[0]]));
+    boxes.push_back(around(simplex[0]));
     for (std::size_t i = 0; i < simplex.size(); ++i) {
-      boxes.back() = box_around(boxes.back(), box_around(mesh.points[simplex[i]]));
+      boxes.back() = box_around(boxes.back(), around(simplex[i]));
       made.incidences[static_cast<std::size_t>(simplex[i])] = {static_cast<std::uint32_t>(s), i};
     }
   }
   made.sequence = near_sequence(boxes, made.points.dimension);
-  const Partings partings(mesh, made.points);
+  Partings partings(mesh, made.points);
   const BoxIndex index(boxes);
   made.partings.resize(mesh.simplices.size());
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+
+#include "oracle/judge/fast/predicates/predicates.hpp"
 
 namespace circumspect::certificate {
 
@@ -154,10 +157,28 @@ int Sidedness::sign_of_determinant() {
 }
 
 bool Sidedness::has_enclosed_points() {
-  if (!enclosed_.empty() || ++calls_ <= points_.size()) return !enclosed_.empty();
+  constexpr std::size_t kCostOfCall = 16;  // so many points are enclosed in its time, about
+  if (!enclosed_.empty() || ++calls_ <= 1 + points_.size() / kCostOfCall) return !enclosed_.empty();
   enclosed_.reserve(points_.coordinates.size());
-  for (const Integer& x : points_.coordinates) enclosed_.push_back(enclosing(Rational(x)));
+  for (const Integer& x : points_.coordinates) {
+    const double rounded = x.get_d();
+    const bool is_double = std::isfinite(rounded) && x == rounded;
+    enclosed_.push_back(is_double ? exactly(rounded) : enclosing(Rational(x)));
+  }
+  are_doubles_ =
+      std::all_of(enclosed_.begin(), enclosed_.end(), [](Interval x) { return x.low == x.high; });
   return !enclosed_.empty();
+}
+
+template <std::size_t kDimension>
+int Sidedness::orientation_of_doubles(std::span<const Vertex> simplex) {
+  fast::SiteRow<kDimension> row;
+  for (std::size_t i = 0; i <= kDimension; ++i) {
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      row[i].at[axis] = enclosed(simplex[i], axis).low;
+    }
+  }
+  return fast::orientation<kDimension>(row, stages_);
 }
 
 void Sidedness::enclose(const HomogeneousPoint& q) {
@@ -181,6 +202,9 @@ int Sidedness::orientation(std::span<const Vertex> simplex) {
   const std::size_t d = points_.dimension;
   assert(simplex.size() == d + 1);
   if (has_enclosed_points()) {
+    if (are_doubles_) {
+      return d == 2 ? orientation_of_doubles<2>(simplex) : orientation_of_doubles<3>(simplex);
+    }
     for (std::size_t i = 0; i < d; ++i) {
       for (std::size_t axis = 0; axis < d; ++axis) {
         enclosed_rows_[i][axis] = enclosed(simplex[i], axis) - enclosed(simplex[d], axis);

@@ -12,6 +12,7 @@
 #include "kernel/boxes/interval.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/point.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::certificate {
 
@@ -67,8 +68,9 @@ HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices)
 // about. Book: Section 3.1 (Orient2D, Orient3D).
 
 // Orientations in the plane and in space, of integer points and one rational point among them. The
-// numbers in between keep their memory, so that millions of calls allocate nothing. After as many
-// calls as there are points, doubles that enclose the points are asked first.
+// numbers in between keep their memory, so that millions of calls allocate nothing. After some
+// calls, doubles are asked first: the points themselves, if all coordinates are doubles, or doubles
+// that enclose them.
 class Sidedness {
  public:
   // Requires: points of dimension 2 or 3, which outlive this.
@@ -92,13 +94,17 @@ class Sidedness {
   Interval enclosed(Vertex v, std::size_t axis) const {
     return enclosed_[static_cast<std::size_t>(v) * points_.dimension + axis];
   }
+  template <std::size_t kDimension>
+  int orientation_of_doubles(std::span<const Vertex> simplex);
   void enclose(const HomogeneousPoint& q);
   int certain_sign_of_determinant() const;
 
   const ScaledPoints& points_;
   std::size_t calls_ = 0;
   std::vector<Interval> enclosed_;  // coordinates, once they are known
-  HomogeneousPoint moved_to_;       // the point that the next was made of
+  bool are_doubles_ = false;        // all of these
+  fast::Stages stages_;
+  HomogeneousPoint moved_to_;  // the point that the next was made of
   std::array<Interval, 3> enclosed_moved_;
   std::array<std::array<Interval, 3>, 3> enclosed_rows_;
   std::array<std::array<Integer, 3>, 3> rows_;
