@@ -90,7 +90,7 @@ test('of a mesh of any library all parts are known, whatever it calls them', () 
   assert.throws(() => partsOf({ points: flat }), /^TypeError: .* found one with points$/);
 });
 
-test('no points are no rows of the plane', () => {
+test('no points are not rows of the plane', () => {
   const { rows, columns } = numbersOf([], 'points');
   assert.deepEqual({ rows, columns }, { rows: 0, columns: 2 });
 });

@@ -47,6 +47,34 @@ std::set<std::pair<std::string, std::string>> annotated(const std::string& out) 
   return found;
 }
 
+// A failure for each family and signature, and both totals are right.
+void check_junit(const std::string& xml, const json& told,
+                 const std::set<std::string>& signatures) {
+  std::size_t failures = 0;
+  for (const auto& counts : told["families"]) {
+    for (const auto& [what, count] : counts.items()) {
+      failures += signatures.contains(what) ? 1 : 0;
+    }
+  }
+  CHECK(count_of(xml, "<failure ") == failures);
+  CHECK(has(xml, " failures=\"" + std::to_string(failures) + "\""));
+  CHECK(has(xml, " tests=\"" + std::to_string(count_of(xml, "<testcase ")) + "\""));
+}
+
+// The files of the findings in SARIF, each with its signature.
+using Coded = std::set<std::pair<std::string, std::string>>;
+Coded coded_in(const std::string& sarif, const std::set<std::string>& signatures) {
+  Coded coded;
+  const json document_of_sarif = json::parse(sarif);
+  for (const json& result : document_of_sarif["runs"][0]["results"]) {
+    const json& place = result["locations"][0]["physicalLocation"]["artifactLocation"];
+    const std::string path = without_percents(place["uri"].get<std::string>());
+    coded.insert({path.substr(std::string("file://").size()), result["ruleId"].get<std::string>()});
+    CHECK(signatures.contains(result["ruleId"].get<std::string>()));
+  }
+  return coded;
+}
+
 }  // namespace
 
 TEST_CASE("campaign: text, JSON, JUnit, SARIF, annotations and the exit code say the same") {
@@ -102,24 +130,8 @@ TEST_CASE("campaign: text, JSON, JUnit, SARIF, annotations and the exit code say
   }
   CHECK(!signatures.empty());
   CHECK(signatures == program.signatures(folder));
-  const std::string xml = contents(junit);
-  std::size_t failures = 0;
-  for (const auto& counts : told["families"]) {
-    for (const auto& [what, count] : counts.items()) {
-      failures += signatures.contains(what) ? 1 : 0;
-    }
-  }
-  CHECK(count_of(xml, "<failure ") == failures);
-  CHECK(has(xml, " failures=\"" + std::to_string(failures) + "\""));
-  CHECK(has(xml, " tests=\"" + std::to_string(count_of(xml, "<testcase ")) + "\""));
-  std::set<std::pair<std::string, std::string>> coded;
-  const json document_of_sarif = json::parse(contents(sarif));
-  for (const json& result : document_of_sarif["runs"][0]["results"]) {
-    const json& place = result["locations"][0]["physicalLocation"]["artifactLocation"];
-    const std::string path = without_percents(place["uri"].get<std::string>());
-    coded.insert({path.substr(std::string("file://").size()), result["ruleId"].get<std::string>()});
-    CHECK(signatures.contains(result["ruleId"].get<std::string>()));
-  }
+  check_junit(contents(junit), told, signatures);
+  const Coded coded = coded_in(contents(sarif), signatures);
   CHECK(coded.size() == signatures.size());
   CHECK(annotated(text.out) == coded);
 }

@@ -49,6 +49,33 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
   return faults;
 }
 
+// What a certificate does not show, or is not about.
+std::vector<UsageFault> faults_beside_certificate(const CheckOptions& options) {
+  if (!options.certificate) return {};
+  const Asked certificate{true, "--certificate"};
+  const std::string complex_word = of_complexes_alone(options.complex);
+  std::vector<UsageFault> faults = {certificate_fault(options.claim, options.said)};
+  for (const Asked& asked : std::initializer_list<Asked>{
+           {!options.check.quality.empty(), "--require"},
+           {!complex_word.empty(), complex_word},
+           {options.check.hull.all_boundary_points, "--all-boundary-points"},
+           {options.check.hull.only_extreme, "--only-extreme"},
+           {options.within.has_value(), "--within"}}) {
+    faults.push_back(contradiction(asked, certificate, "nothing is proved of it"));
+  }
+  faults.push_back(contradiction(certificate, {!options.input.kept_labels.empty(), "--keep-label"},
+                                 "a certificate is about all cells of a file"));
+  faults.push_back(contradiction(certificate, columns_of(options),
+                                 "a certificate is about the points of a file"));
+  faults.push_back({options.meshes.size() != 1,
+                    fmt::format("expected one mesh beside --certificate, found {}",
+                                options.meshes.size())});
+  faults.push_back({options.certificate == "-",
+                    "expected a file for --certificate, found -; circumspect certify writes to "
+                    "standard output"});
+  return faults;
+}
+
 // What would be written over a file that is read, or twice to one; empty if nothing.
 std::string writing_fault(const CheckOptions& options) {
   std::vector<Written> written = picture_files(options.picture);
@@ -85,18 +112,14 @@ std::string usage_fault(CheckOptions& options) {
                     "--claim voronoi or --claim periodic-delaunay"};
   const Asked lattice{options.lattice.is_given(), "--lattice"};
   const Asked box{options.box.has_value(), "--box"};
-  const Asked certificate{options.certificate.has_value(), "--certificate"};
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
   const Asked demanded{!options.check.quality.empty(), "--require"};
-  const std::string complex_word = of_complexes_alone(options.complex);
-  const Asked of_complex{!complex_word.empty(), complex_word};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
-      certificate.is_given ? certificate_fault(options.claim, options.said) : "",
       contradiction(neighbors, list),
       contradiction(memory, list),
       dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
@@ -114,26 +137,13 @@ std::string usage_fault(CheckOptions& options) {
                  "it has the sites, and the output of qvoronoi o Fv the cells"),
       quality_fault(options.check.quality),
       contradiction(demanded, voronoi),
-      contradiction(demanded, certificate, "nothing is proved of it"),
-      contradiction(of_complex, certificate, "nothing is proved of it"),
-      contradiction({options.check.hull.all_boundary_points, "--all-boundary-points"}, certificate,
-                    "nothing is proved of it"),
-      contradiction({options.check.hull.only_extreme, "--only-extreme"}, certificate,
-                    "nothing is proved of it"),
-      contradiction(within, certificate, "nothing is proved of it"),
+      first_fault(faults_beside_certificate(options)),
       domain_options_fault(options.said, options.claim, domain.is_given),
       voronoi.is_given ? "" : dependence(within, domain).text,
       dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},
                  {within.is_given, "--within DISTANCE"},
                  "say how far vertices may be from one plane"),
       contradiction(neighbors, labels, "a .neigh file is about all cells"),
-      contradiction(certificate, labels, "a certificate is about all cells of a file"),
-      contradiction(certificate, columns_of(options),
-                    "a certificate is about the points of a file"),
-      {certificate.is_given && options.meshes.size() != 1,
-       fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size())},
-      {options.certificate == "-",
-       "expected a file for --certificate, found -; circumspect certify writes to standard output"},
       first_fault(faults_beside_memory(options)),
       picture_fault(options.picture, options.meshes.size()),
   });

@@ -83,7 +83,7 @@ class Partings {
   // the positive one.
   int side(std::size_t s, std::size_t place, Vertex v);
   // Does the hyperplane through the chosen points of completed(a, b) not part a from b? False, too,
-  // if one of them is no vertex: then integers decide.
+  // if one of them is not a vertex: then integers decide.
   bool crosses(const std::vector<bool>& is_chosen, const Simplex& a, const Simplex& b);
   // Points that span, together with the vertices of both, the plane or space.
   std::vector<Vector> completed(const Simplex& a, const Simplex& b) const;

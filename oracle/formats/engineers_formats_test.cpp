@@ -126,7 +126,7 @@ TEST_CASE("abaqus: nodes by their tags, continued lines, empty fields, what is s
                                         "type=CPS3\n1, 1, 2, 3\n")}));
 }
 
-TEST_CASE("abaqus: what only joins nodes is no element, and the middle of an edge is between") {
+TEST_CASE("abaqus: what only joins nodes is not an element, and the middle of an edge is between") {
   const std::string nodes = "*Node\n1\n2, 2\n3, 1\n";
   const auto beam = read_abaqus(named(nodes + "*Element, type=B32R\n1, 1, 3, 2\n"
                                               "*Element, type=SpringA\n2, 1, 2\n"
@@ -156,7 +156,7 @@ TEST_CASE("abaqus: what only joins nodes is no element, and the middle of an edg
         "f:5: expected a type of elements that is known, as TYPE=C3D4, found \"F3D4\"");
 }
 
-TEST_CASE("abaqus: elements that are no simplices are named with their line") {
+TEST_CASE("abaqus: elements that are not simplices are named with their line") {
   const auto curved =
       read_abaqus(named("*Node\n1,0,0,0\n*Element, type=CPS8R\n1, 1,1,1,1,1,1,1,1\n"), kDouble);
   REQUIRE(curved);

@@ -197,7 +197,7 @@ TEST_CASE("causes: a part that is left out on purpose is not missing") {
   }
 }
 
-TEST_CASE("causes: points with a column that is no coordinate") {
+TEST_CASE("causes: points with a column that is not a coordinate") {
   Lists labelled = grid<2>(5);
   for (std::size_t v = 0; v < labelled.points.size(); ++v) {
     labelled.points[v].push_back(static_cast<long>(v % 2));
@@ -205,7 +205,7 @@ TEST_CASE("causes: points with a column that is no coordinate") {
   CHECK(named(labelled, Claim::kDelaunay) ==
         "last-coordinate-does-not-count: the last column of the points is a label: without it, the "
         "claim holds");
-  // Many heights, or few that are no whole numbers.
+  // Many heights, or few that are not whole numbers.
   for (const std::size_t count : {1000U, 2U}) {
     for (std::size_t v = 0; v < labelled.points.size(); ++v) {
       labelled.points[v].back() = Rational(static_cast<long>(v * v % count), 7);
