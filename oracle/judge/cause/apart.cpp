@@ -112,7 +112,9 @@ std::optional<Cause> hanging_vertices(Case& of) {
 }
 
 std::optional<Cause> vertices_beside_faces(Case& of) {
-  if (!may_be_apart(of)) return std::nullopt;
+  // Where facets are shared by more than two, those of only one tell nothing.
+  const bool is_tangled = of.breaks(Rule::kFacetOverused) || of.breaks(Rule::kDuplicateSimplex);
+  if (is_tangled || !may_be_apart(of)) return std::nullopt;
   const std::vector<Uncut> uncut = uncut_faces(of.mesh());
   std::set<Vertex> vertices;
   Rational farthest = 0;
