@@ -71,6 +71,21 @@ std::string writing_fault(const CheckOptions& options) {
   return overwriting_fault(written, read);
 }
 
+// What more is demanded than the claim says, or let pass: no certificate is about it.
+std::string fault_of_demands(const CheckOptions& options, const Asked& certificate) {
+  const std::string of_complex = of_complexes_alone(options.complex);
+  const HullDemands& hull = options.check.hull;
+  std::vector<UsageFault> faults;
+  for (const Asked& asked :
+       std::initializer_list<Asked>{{!options.check.quality.empty(), "--require"},
+                                    {!of_complex.empty(), of_complex},
+                                    {hull.all_boundary_points, "--all-boundary-points"},
+                                    {hull.only_extreme, "--only-extreme"}}) {
+    faults.push_back(contradiction(asked, certificate, "nothing is proved of it"));
+  }
+  return first_fault(faults);
+}
+
 }  // namespace
 
 std::string usage_fault(CheckOptions& options) {
@@ -89,8 +104,6 @@ std::string usage_fault(CheckOptions& options) {
   const Asked neighbors{options.input.neighbors, "--neighbors"};
   const Asked memory{options.memory.has_value(), "--memory"};
   const Asked demanded{!options.check.quality.empty(), "--require"};
-  const std::string complex_word = of_complexes_alone(options.complex);
-  const Asked of_complex{!complex_word.empty(), complex_word};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
@@ -114,12 +127,7 @@ std::string usage_fault(CheckOptions& options) {
                  "it has the sites, and the output of qvoronoi o Fv the cells"),
       quality_fault(options.check.quality),
       contradiction(demanded, voronoi),
-      contradiction(demanded, certificate, "nothing is proved of it"),
-      contradiction(of_complex, certificate, "nothing is proved of it"),
-      contradiction({options.check.hull.all_boundary_points, "--all-boundary-points"}, certificate,
-                    "nothing is proved of it"),
-      contradiction({options.check.hull.only_extreme, "--only-extreme"}, certificate,
-                    "nothing is proved of it"),
+      fault_of_demands(options, certificate),
       contradiction(within, certificate, "nothing is proved of it"),
       domain_options_fault(options.said, options.claim, domain.is_given),
       voronoi.is_given ? "" : dependence(within, domain).text,

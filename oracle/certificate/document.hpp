@@ -63,8 +63,9 @@ bool is_unproved(Claim claim);
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
 // people: other claims; points of other dimensions, or that span no plane or space (but where the
-// claim complex or surface-delaunay holds, or they have a triangulation in a plane of space); a verdict that fails for
-// nothing but rules that are no part of the claim, or of which there is no refutation.
+// claim complex or surface-delaunay holds, or they have a triangulation in a plane of space); a
+// verdict that fails for nothing but rules that are no part of the claim, or of which there is no
+// refutation.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);
