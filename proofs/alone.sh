@@ -1,6 +1,6 @@
 #!/bin/bash
-# Certifies the meshes of corpus that are judged as complexes, convex hulls and Delaunay surfaces,
-# and has circumspect-verified read what proves the verdict:
+# Certifies the meshes of corpus that are judged as complexes, and those that are convex hulls or
+# Delaunay surfaces, and has circumspect-verified read what proves the verdict:
 #   proofs/alone.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
 set -euo pipefail
 circumspect=$(realpath "$1")

@@ -78,8 +78,8 @@ Coded coded_in(const std::string& sarif, const std::set<std::string>& signatures
 }  // namespace
 
 TEST_CASE("campaign: text, JSON, JUnit, SARIF, annotations and the exit code say the same") {
-  // By the number of points: refused for one reason, seldom for another; wrong in a known way, wrong
-  // in another way; right.
+  // By the number of points: refused for one reason, seldom for another; wrong in a known way,
+  // wrong in another way; right.
   const Program program(
       "read n rest < \"$1\"\n"
       "[ $n -eq 6 ] && { echo 'six points' >&2; exit 9; }\n"

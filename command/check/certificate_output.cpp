@@ -250,8 +250,9 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
 
 std::string certificate_fault(const std::optional<Claim>& claim, const DomainOptions& said) {
   if (claim && certificate::is_unproved(*claim)) {
-    return fmt::format("expected a claim about which something is proved for a certificate, found {}",
-                       name(*claim));
+    return fmt::format(
+        "expected a claim about which something is proved for a certificate, found {}",
+        name(*claim));
   }
   if (said.resolves) {
     return "expected no --resolve for a certificate, found it: circumspect-verified compares the "

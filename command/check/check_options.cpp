@@ -67,9 +67,9 @@ std::vector<UsageFault> faults_beside_certificate(const CheckOptions& options) {
                                  "a certificate is about all cells of a file"));
   faults.push_back(contradiction(certificate, columns_of(options),
                                  "a certificate is about the points of a file"));
-  faults.push_back({options.meshes.size() != 1,
-                    fmt::format("expected one mesh beside --certificate, found {}",
-                                options.meshes.size())});
+  faults.push_back(
+      {options.meshes.size() != 1,
+       fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size())});
   faults.push_back({options.certificate == "-",
                     "expected a file for --certificate, found -; circumspect certify writes to "
                     "standard output"});
