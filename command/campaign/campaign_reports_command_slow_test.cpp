@@ -47,11 +47,36 @@ std::set<std::pair<std::string, std::string>> annotated(const std::string& out) 
   return found;
 }
 
+void check_junit(const std::string& xml, const json& told,
+                 const std::set<std::string>& signatures) {
+  std::size_t failures = 0;
+  for (const auto& counts : told["families"]) {
+    for (const auto& [what, count] : counts.items()) {
+      failures += signatures.contains(what) ? 1 : 0;
+    }
+  }
+  CHECK(count_of(xml, "<failure ") == failures);
+  CHECK(has(xml, " failures=\"" + std::to_string(failures) + "\""));
+  CHECK(has(xml, " tests=\"" + std::to_string(count_of(xml, "<testcase ")) + "\""));
+}
+
+// The file and the signature of each result of SARIF.
+std::set<std::pair<std::string, std::string>> results_of_sarif(const std::string& path) {
+  std::set<std::pair<std::string, std::string>> coded;
+  const json document_of_sarif = json::parse(contents(path));
+  for (const json& result : document_of_sarif["runs"][0]["results"]) {
+    const json& place = result["locations"][0]["physicalLocation"]["artifactLocation"];
+    const std::string file = without_percents(place["uri"].get<std::string>());
+    coded.insert({file.substr(std::string("file://").size()), result["ruleId"].get<std::string>()});
+  }
+  return coded;
+}
+
 }  // namespace
 
 TEST_CASE("campaign: text, JSON, JUnit, SARIF, annotations and the exit code say the same") {
-  // By the number of points: refused for one reason, seldom for another; wrong in a known way, wrong
-  // in another way; right.
+  // By the number of points: refused for one reason, seldom for another; wrong in a known way,
+  // wrong in another way; right.
   const Program program(
       "read n rest < \"$1\"\n"
       "[ $n -eq 6 ] && { echo 'six points' >&2; exit 9; }\n"
@@ -102,24 +127,9 @@ TEST_CASE("campaign: text, JSON, JUnit, SARIF, annotations and the exit code say
   }
   CHECK(!signatures.empty());
   CHECK(signatures == program.signatures(folder));
-  const std::string xml = contents(junit);
-  std::size_t failures = 0;
-  for (const auto& counts : told["families"]) {
-    for (const auto& [what, count] : counts.items()) {
-      failures += signatures.contains(what) ? 1 : 0;
-    }
-  }
-  CHECK(count_of(xml, "<failure ") == failures);
-  CHECK(has(xml, " failures=\"" + std::to_string(failures) + "\""));
-  CHECK(has(xml, " tests=\"" + std::to_string(count_of(xml, "<testcase ")) + "\""));
-  std::set<std::pair<std::string, std::string>> coded;
-  const json document_of_sarif = json::parse(contents(sarif));
-  for (const json& result : document_of_sarif["runs"][0]["results"]) {
-    const json& place = result["locations"][0]["physicalLocation"]["artifactLocation"];
-    const std::string path = without_percents(place["uri"].get<std::string>());
-    coded.insert({path.substr(std::string("file://").size()), result["ruleId"].get<std::string>()});
-    CHECK(signatures.contains(result["ruleId"].get<std::string>()));
-  }
+  check_junit(contents(junit), told, signatures);
+  const auto coded = results_of_sarif(sarif);
+  for (const auto& [file, signature] : coded) CHECK(signatures.contains(signature));
   CHECK(coded.size() == signatures.size());
   CHECK(annotated(text.out) == coded);
 }

@@ -1,6 +1,6 @@
-// A data set of HDF5 has the same numbers however it is stored: in whatever type, byte order, layout
-// and chunks, with whatever filters; and what is missing of it is missed. The files are written here
-// as the HDF5 File Format Specification 3.0 lays them out.
+// A data set of HDF5 has the same numbers however it is stored: in whatever type, byte order,
+// layout and chunks, with whatever filters; and what is missing of it is missed. The files are
+// written here as the HDF5 File Format Specification 3.0 lays them out.
 #include <algorithm>
 #include <array>
 

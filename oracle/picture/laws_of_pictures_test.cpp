@@ -1,5 +1,5 @@
-// Laws of pictures: the frame, the ball and the heights fit the points that are drawn, and nothing is
-// drawn that is far.
+// Laws of pictures: the frame, the ball and the heights fit the points that are drawn, and nothing
+// is drawn that is far.
 #include <cmath>
 #include <set>
 #include <sstream>

@@ -1,5 +1,5 @@
-// Laws of the reports for CI: they say what the JSON document says, no more and no less, and whoever
-// reads them gets back every byte.
+// Laws of the reports for CI: they say what the JSON document says, no more and no less, and
+// whoever reads them gets back every byte.
 #include "oracle/report/ci_reports.hpp"
 
 #include <algorithm>

@@ -26,8 +26,8 @@ Tallies tallies_of(const ListedComplex& mesh, const ComplexDemands& demands, boo
   return tallies;
 }
 
-// The tallies of both ways, which are the same: also of the simplices from the last to the first, and
-// however few witnesses are kept.
+// The tallies of both ways, which are the same: also of the simplices from the last to the first,
+// and however few witnesses are kept.
 Tallies broken(const ListedComplex& mesh, const ComplexDemands& demands = {}) {
   const Tallies tallies = tallies_of(mesh, demands, false);
   CHECK(tallies == tallies_of(mesh, demands, true));
