@@ -47,7 +47,6 @@ std::set<std::pair<std::string, std::string>> annotated(const std::string& out) 
   return found;
 }
 
-// A failure for each family and signature, and both totals are right.
 void check_junit(const std::string& xml, const json& told,
                  const std::set<std::string>& signatures) {
   std::size_t failures = 0;
@@ -61,16 +60,14 @@ void check_junit(const std::string& xml, const json& told,
   CHECK(has(xml, " tests=\"" + std::to_string(count_of(xml, "<testcase ")) + "\""));
 }
 
-// The files of the findings in SARIF, each with its signature.
-using Coded = std::set<std::pair<std::string, std::string>>;
-Coded coded_in(const std::string& sarif, const std::set<std::string>& signatures) {
-  Coded coded;
-  const json document_of_sarif = json::parse(sarif);
+// The file and the signature of each result of SARIF.
+std::set<std::pair<std::string, std::string>> results_of_sarif(const std::string& path) {
+  std::set<std::pair<std::string, std::string>> coded;
+  const json document_of_sarif = json::parse(contents(path));
   for (const json& result : document_of_sarif["runs"][0]["results"]) {
     const json& place = result["locations"][0]["physicalLocation"]["artifactLocation"];
-    const std::string path = without_percents(place["uri"].get<std::string>());
-    coded.insert({path.substr(std::string("file://").size()), result["ruleId"].get<std::string>()});
-    CHECK(signatures.contains(result["ruleId"].get<std::string>()));
+    const std::string file = without_percents(place["uri"].get<std::string>());
+    coded.insert({file.substr(std::string("file://").size()), result["ruleId"].get<std::string>()});
   }
   return coded;
 }
@@ -131,7 +128,8 @@ TEST_CASE("campaign: text, JSON, JUnit, SARIF, annotations and the exit code say
   CHECK(!signatures.empty());
   CHECK(signatures == program.signatures(folder));
   check_junit(contents(junit), told, signatures);
-  const Coded coded = coded_in(contents(sarif), signatures);
+  const auto coded = results_of_sarif(sarif);
+  for (const auto& [file, signature] : coded) CHECK(signatures.contains(signature));
   CHECK(coded.size() == signatures.size());
   CHECK(annotated(text.out) == coded);
 }

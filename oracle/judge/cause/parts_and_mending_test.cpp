@@ -50,7 +50,8 @@ TEST_CASE("causes: a fault elsewhere does not change how much a cause explains")
     const auto alone = explained(hanging, claim, "hanging-vertices");
     CHECK(alone.first > 0);
     CHECK(alone.first == alone.second);
-    // Beside a square that is missing, which leaves a hole of its own, or a triangle listed twice.
+    // Beside a square that is not there, which leaves a hole of its own, or a triangle that is
+    // listed twice.
     Lists both = hanging;
     if (claim == Claim::kComplex) {
       both.simplices.push_back(both.simplices.front());
