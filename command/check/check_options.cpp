@@ -120,6 +120,7 @@ std::string usage_fault(CheckOptions& options) {
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
+      first_fault(faults_beside_certificate(options)),
       contradiction(neighbors, list),
       contradiction(memory, list),
       dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
@@ -137,7 +138,6 @@ std::string usage_fault(CheckOptions& options) {
                  "it has the sites, and the output of qvoronoi o Fv the cells"),
       quality_fault(options.check.quality),
       contradiction(demanded, voronoi),
-      first_fault(faults_beside_certificate(options)),
       domain_options_fault(options.said, options.claim, domain.is_given),
       voronoi.is_given ? "" : dependence(within, domain).text,
       dependence({options.said.merges_bent(), "--merge-coplanar with an angle"},

@@ -76,7 +76,6 @@ TEST_CASE("check: options that are about different things do not stand beside ea
   corner.contradict(neighbors, labels);
   corner.contradict(certificate, labels);
   for (const char* const claim : {"convex-hull", "surface-delaunay", "complex"}) {
-    corner.contradict({"--claim", claim}, certificate);
     corner.contradict({"--claim", claim}, neighbors);
     corner.contradict({"--claim", claim}, {"--memory", "64M"});
   }
