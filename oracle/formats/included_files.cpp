@@ -35,7 +35,8 @@ bool are_same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-Deck::Deck(const Source& first, InclusionAt inclusion_at) : first_(first) {
+Deck::Deck(const Source& first, InclusionAt inclusion_at, std::size_t most_repeated)
+    : first_(first), most_repeated_(most_repeated) {
   TextLines lines(first);
   bool has_inclusion = false;
   while (!has_inclusion && lines.next()) has_inclusion = inclusion_at(lines).has_value();
@@ -117,7 +118,13 @@ Result<Source> Deck::load_included(const std::string& path, const TextLines& fro
                     std::to_string(kDeepest) + " in one another",
                 "another, " + as_written);
   }
-  return load_unpacked(found.front());
+  Result<Source> included = load_unpacked(found.front());
+  const bool is_repeated = std::find(files_.begin(), files_.end(), found.front()) != files_.end();
+  if (included && is_repeated && all_.text.size() + included->text.size() > most_repeated_) {
+    return fail("a file that is included once, since the deck is so long",
+                as_written + " again (" + std::to_string(all_.text.size()) + " bytes are read)");
+  }
+  return included;
 }
 
 FormatError Deck::at_its_place(FormatError error) const {

@@ -27,8 +27,10 @@ using InclusionAt = std::optional<Inclusion> (*)(TextLines lines);
 // left in the text; if a reader comes to it, at_its_place says why it is there.
 class Deck {
  public:
-  // Requires: the source outlives this object.
-  Deck(const Source& first, InclusionAt inclusion_at);
+  // A text with a file in it twice is longer than its files are: from `most_repeated` bytes on,
+  // none is included again. Requires: the source outlives this object.
+  Deck(const Source& first, InclusionAt inclusion_at,
+       std::size_t most_repeated = std::size_t{1} << 28);
 
   const Source& source() const { return has_included() ? all_ : first_; }
   bool has_included() const { return files_.size() > 1; }
@@ -54,6 +56,7 @@ class Deck {
   Result<Source> load_included(const std::string& path, const TextLines& from) const;
 
   const Source& first_;
+  std::size_t most_repeated_;
   Source all_;
   std::size_t lines_ = 0;  // of the text
   std::vector<std::string> files_;

@@ -37,6 +37,24 @@ const std::vector<Point> kThreeGrids = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 }  // namespace
 
+TEST_CASE("included files: a deck that is long already includes no file again") {
+  const Decks decks;
+  decks.write("part.inc", "0123456789\n");
+  const Source deck{decks.path("deck.bdf"), "+part.inc\n+part.inc\nend\n"};
+  const InclusionAt after_plus = [](TextLines lines) -> std::optional<Inclusion> {
+    if (!lines.text().starts_with('+')) return std::nullopt;
+    return Inclusion{std::string(lines.text().substr(1))};
+  };
+  CHECK(Deck(deck, after_plus, 24).source().text == "\n0123456789\n\n0123456789\nend\n");
+  const Deck cut(deck, after_plus, 22);
+  CHECK(cut.source().text == "\n0123456789\n+part.inc\nend\n");
+  FormatError error;
+  error.file = deck.name;
+  error.line = 3;
+  CHECK(cut.at_its_place(error).line == 2);
+  CHECK(cut.at_its_place(error).found == "\"part.inc\" again (12 bytes are read)");
+}
+
 TEST_CASE("included files: a deck of Nastran is read with all that it includes") {
   const Decks decks;
   decks.write("mesh/grids.inc", "\xEF\xBB\xBFGRID,1\r\nGRID,2,,1.\r\nINCLUDE 'more/last one.inc'");
