@@ -1,5 +1,5 @@
 #!/bin/bash
-# Compiles for Windows the libraries that Debian has no archive of for it, from Debian's sources:
+# Compiles for Windows the libraries that Debian does not package for it, from Debian's sources:
 #   cmake/windows_libraries.sh FOLDER
 # FOLDER/lib has the archives; FOLDER/include has their headers, and links to those of the libraries
 # that are headers alone. Nothing outside FOLDER is changed. A second call does nothing unless this

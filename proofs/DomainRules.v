@@ -128,8 +128,8 @@ Context {d : nat}.
 Implicit Types (P : domain d) (L : list (list (option (point d)))).
 
 (** What is claimed: all vertices are known, and of the simplices [L] and what dangles, [M], the
-    claim holds.  (Which of the rows stand in which file is not a matter: a triangle or an edge may
-    stand among the simplices.) *)
+    claim holds.  (Which file a row stands in does not matter: a triangle or an edge may stand among
+    the simplices.) *)
 Definition claims_of_domain (c : domain_claim) P L M : Prop :=
   exists K, (L ++ M)%list = map (map Some) K /\ holds_of_complex c P K.
 
@@ -252,9 +252,9 @@ End Refuted.
     certificate whose points are its vertices, and which has no simplices.  Candidates are all sets
     of four vertices, in lexicographic order. *)
 
-(** The four points are in a plane; a cell with this point is not an union of faces of the candidate; it
-    is not constrained Delaunay, for from its point q / w one sees vertex V, in its ball (planes <n,
-    p> = o part the way from all cells); or nothing of that. *)
+(** The four points are in a plane; a cell with this point is not a union of faces of the candidate;
+    it is not constrained Delaunay, for from its point q / w one sees vertex V, in its ball (planes
+    <n, p> = o part the way from all cells); or nothing of that. *)
 Inductive fate :=
   | Flat | Pierced (x : domain_point)
   | Encroached (v : positive) (q : site) (w : Z) (planes : list (list Z * Z))

@@ -10,7 +10,8 @@ From Coq Require Import ZArith.
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
 From Circumspect Require Import Quick ComplexChecker DomainRefutation WholeRefutation
   ImpossibleChecker.
-From Circumspect Require Import MeshAlone AloneRefutation GiftWrapping HullChecker FlatChecker SurfaceChecker.
+From Circumspect Require Import MeshAlone AloneRefutation GiftWrapping HullChecker FlatChecker.
+From Circumspect Require Import SurfaceChecker.
 
 Extract Inductive positive => "int" [ "(fun n -> 2 * n + 1)" "(fun n -> 2 * n)" "1" ]
   "(fun more twice one n -> if n = 1 then one () else if n land 1 = 1 then more (n / 2) else twice (n / 2))".

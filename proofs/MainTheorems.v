@@ -3,8 +3,8 @@
     Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or, of
     a mesh alone, of [Complexes.v] or, of hulls, of points of a plane in space and of surfaces, of
     [Hulls.v], [Flats.v] and [Surfaces.v].  [check], [refute], [check_domain] and so on are the
-    functions that the program evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v],
-    [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
+    functions that the program evaluates; how they decide ([checker/Checker.v],
+    [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
     stand in [BookTheorems.v].
 
     What a line of the program does not say:

@@ -137,7 +137,7 @@ Value value_of(PyObject* object) {
   }
 }
 
-// An empty optional is None, and so is not text.
+// An empty optional is None, and so is a null pointer for a text.
 template <class Value>
 Object object_of(const Value& value) {
   if constexpr (std::is_same_v<Value, Object>) {

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Compiles for WebAssembly the libraries that Debian has no archive of for it, from Debian's own
+# Compiles for WebAssembly the libraries that Debian does not package for it, from Debian's own
 # sources:
 #   command/web/libraries.sh FOLDER
 # FOLDER/include has their headers, and links to those of the libraries that are headers alone;

@@ -114,6 +114,14 @@ std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
   return vertices;
 }
 
+std::vector<std::size_t> numbers_in(const std::vector<Vertex>& order) {
+  std::vector<std::size_t> number(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[static_cast<std::size_t>(order[i])] = i + 1;
+  }
+  return number;
+}
+
 namespace {
 
 // Swaps two vertices where that makes the orientation positive.

@@ -128,6 +128,9 @@ struct Incidence {
 // All points, by their coordinates and then by their numbers.
 std::vector<Vertex> lexicographic_order(const ScaledPoints& points);
 
+// The number in a file of each vertex, counted from 1 in that order of all vertices.
+std::vector<std::size_t> numbers_in(const std::vector<Vertex>& order);
+
 struct Certificate {
   Claim claim = Claim::kDelaunay;
   ScaledPoints points;

@@ -356,10 +356,8 @@ void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& c
   write_scale(lines, certificate.points);
   lines << "points" << certificate.order.size();
   lines.end_line();
-  std::vector<std::size_t> number(certificate.order.size());
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    const Vertex v = certificate.order[i];
-    number[static_cast<std::size_t>(v)] = i + 1;
+  const std::vector<std::size_t> number = numbers_in(certificate.order);
+  for (const Vertex v : certificate.order) {
     write_point(lines, certificate.points, v, false);
     const Incidence& incidence = certificate.incidences[static_cast<std::size_t>(v)];
     lines.gap() << incidence.simplex + 1 << *incidence.place << mesh.label(v);

@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::uint32_t kTriangle = 3;
 
-// The numbers of the vertices in that order, from 1.
-std::vector<std::size_t> numbers_in(const std::vector<Vertex>& order) {
-  std::vector<std::size_t> number(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    number[static_cast<std::size_t>(order[i])] = i + 1;
-  }
-  return number;
-}
-
 }  // namespace
 
 SurfaceCertificate surface_certificate_of(const ExactMesh& mesh, ScaledPoints points) {

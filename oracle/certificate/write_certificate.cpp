@@ -11,15 +11,6 @@ namespace circumspect::certificate {
 
 namespace {
 
-// By the vertices, their numbers in the certificate.
-std::vector<std::size_t> numbers_of(const Certificate& certificate) {
-  std::vector<std::size_t> number(certificate.order.size());
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    number[static_cast<std::size_t>(certificate.order[i])] = i + 1;
-  }
-  return number;
-}
-
 void begin_section(Lines& lines, std::string_view name, std::size_t count) {
   lines << name << count;
   lines.end_line();
@@ -61,7 +52,7 @@ void write_across(Lines& lines, const Across& across) {
 }
 
 void write_simplices(Lines& lines, const Certificate& certificate) {
-  const std::vector<std::size_t> number = numbers_of(certificate);
+  const std::vector<std::size_t> number = numbers_in(certificate.order);
   const std::size_t size = certificate.points.dimension + 1;
   begin_section(lines, "simplices", certificate.simplices.size());
   for (const CertifiedSimplex& simplex : certificate.simplices) {
@@ -133,7 +124,7 @@ void write_mark(Lines& lines, const Mark& mark, std::size_t size) {
 }
 
 void write_part(Lines& lines, const Certificate& mesh, const DomainPart& part) {
-  const std::vector<std::size_t> number = numbers_of(mesh);
+  const std::vector<std::size_t> number = numbers_in(mesh.order);
   const auto of = [&](Vertex v) { return number[static_cast<std::size_t>(v)]; };
   begin_section(lines, "roles", mesh.order.size());
   for (const Vertex v : mesh.order) {
@@ -244,7 +235,7 @@ void write_body(Lines& lines, const DomainCertificate& certificate) {
   write_part(lines, certificate.mesh, certificate.part);
   if (certificate.mesh.points.dimension != 3) return;
   begin_section(lines, "polygons", certificate.polygons.size());
-  const std::vector<std::size_t> number = numbers_of(certificate.mesh);
+  const std::vector<std::size_t> number = numbers_in(certificate.mesh.order);
   for (const PolygonCertificate& polygon : certificate.polygons) {
     write_polygon(lines, number, polygon);
   }
@@ -260,7 +251,7 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
                   certificate.complex ? " plc" : "", certificate.dangles ? " dangling" : ""));
   write_body(lines, certificate);
   if (certificate.complex) {
-    write_complex(lines, numbers_of(certificate.mesh), *certificate.complex);
+    write_complex(lines, numbers_in(certificate.mesh.order), *certificate.complex);
   }
   lines << "end";
   lines.end_line();

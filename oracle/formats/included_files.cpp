@@ -119,8 +119,11 @@ Result<Source> Deck::load_included(const std::string& path, const TextLines& fro
                 "another, " + as_written);
   }
   Result<Source> included = load_unpacked(found.front());
-  const bool is_repeated = std::find(files_.begin(), files_.end(), found.front()) != files_.end();
-  if (included && is_repeated && all_.text.size() + included->text.size() > most_repeated_) {
+  const auto is_read = [&] {  // perhaps by another name
+    return std::any_of(files_.begin(), files_.end(),
+                       [&](const std::string& file) { return are_same_file(file, found.front()); });
+  };
+  if (included && all_.text.size() + included->text.size() > most_repeated_ && is_read()) {
     return fail("a file that is included once, since the deck is so long",
                 as_written + " again (" + std::to_string(all_.text.size()) + " bytes are read)");
   }

@@ -48,6 +48,8 @@ TEST_CASE("included files: a deck that is long already includes no file again") 
   CHECK(Deck(deck, after_plus, 24).source().text == "\n0123456789\n\n0123456789\nend\n");
   const Deck cut(deck, after_plus, 22);
   CHECK(cut.source().text == "\n0123456789\n+part.inc\nend\n");
+  const Source renamed{deck.name, "+part.inc\n+../jobs/./part.inc\nend\n"};
+  CHECK(Deck(renamed, after_plus, 22).source().text == "\n0123456789\n+../jobs/./part.inc\nend\n");
   FormatError error;
   error.file = deck.name;
   error.line = 3;

@@ -1,7 +1,7 @@
 // Numbered rows of plain numbers, as programs write them below the header of a file of Triangle or
 // TetGen, read by several threads. Anything that is not exactly of that form is left to
 // NumberedLines, which reads it or says what is wrong with it: here that is not an error, but there
-// is not an answer.
+// is no answer.
 //
 // There are two readers of rows and not one because they keep different things. This one has a
 // block of the file at a time, in each thread, and no line numbers: a message needs the line of the

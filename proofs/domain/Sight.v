@@ -1,8 +1,8 @@
 (** * Sight: the walk of the Constrained Delaunay Lemma  (Book: Lemma 4.10, (iii) => (i))
 
     A complex of d-simplices, in which some facets are walls ([wall]): at least all facets that have
-    no neighbour.  Heights are arbitrary; across every facet that is not a wall the neighbour's apex is
-    not below the witness plane.  If the vertex p can be seen from a point x of simplex t - the
+    no neighbour.  Heights are arbitrary; across every facet that is not a wall the neighbour's apex
+    is not below the witness plane.  If the vertex p can be seen from a point x of simplex t - the
     segment stays in the complex and touches no wall before p - then p is not below t's witness
     plane. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.

@@ -104,8 +104,9 @@ std::optional<Cause> hanging_vertices(Case& of) {
                         vertices)
           : fmt::format("{} inside faces of simplices that are not cut there", vertices);
   const bool is_own = of.verdict().claim() == Claim::kComplex;
-  if (!is_own)
+  if (!is_own) {
     return of_listed(of, "hanging-vertices", words, BrokenAt(*alone, Rule::kHangingVertex));
+  }
   const bool is_all = count == of.violations();
   return of.cause("hanging-vertices",
                   words + (is_all ? " (--allow hanging-vertex lets them pass)" : ""), count);

@@ -131,7 +131,7 @@ std::optional<Cause> too_few_points(Case& of) {
   const auto found = extent(mesh.simplices);
   const auto count = static_cast<Vertex>(mesh.points());
   if (!found || found->least < 0 || found->most < count) return std::nullopt;
-  // Those of a longer list follow one another. What is not an index is anywhere.
+  // The indices of a longer list follow one another. Other numbers may lie anywhere.
   const std::size_t named = named_from(mesh.simplices, count, 2 * count);
   if (named < kFewest || 2 * named < static_cast<std::size_t>(found->most - count)) {
     return std::nullopt;

@@ -1,8 +1,7 @@
-// OrientationSigns of many simplices of the same points.
+// Orientations of many simplices of the same points.
 #pragma once
 
-#include <array>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <vector>
 

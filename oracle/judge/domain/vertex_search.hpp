@@ -19,7 +19,7 @@ class VertexSearch {
   VertexSearch(const ExactMesh& mesh, const std::vector<bool>& used) : mesh_(mesh), used_(used) {}
 
   // The nearest to a point, ties to the lower index; distance 0 if it is a vertex. Nothing if there
-  // is not a vertex, or too much has been looked at: see kMostLookedAt.
+  // is no vertex, or too much has been looked at: see kMostLookedAt.
   std::optional<NearestVertex> to_point(const Point& point);
   // The nearest to a segment of those that do not lie on it: a vertex rounded off it, if one was.
   // Requires: a != b.
