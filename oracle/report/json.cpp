@@ -251,7 +251,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   Json violations = Json::array();
   for (const Violation& broken : verdict.violations())
     violations.push_back(violation(broken, mesh, domain));
-  object["violations"] = violations;
+  object["violations"] = std::move(violations);
   return object;
 }
 

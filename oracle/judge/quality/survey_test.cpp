@@ -135,7 +135,7 @@ TEST_CASE(
 
 TEST_CASE("of a mesh that is listed a thousand times over each bin has a thousand times as many") {
   constexpr std::size_t kTimes = 1000;
-  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
     CAPTURE(seed);
     Dice dice(seed);
     const Mesh once = drawn_mesh(dice);
