@@ -30,9 +30,6 @@ bool Beginning::is_list() const {
          columns_announced != on_second_line;
 }
 
-bool begins_with(std::string_view text, char c) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && text[first] == c;
-}
+bool begins_with(std::string_view text, char c) { return from_first_word(text).starts_with(c); }
 
 }  // namespace circumspect::formats

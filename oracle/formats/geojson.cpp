@@ -220,10 +220,9 @@ Result<DomainFile> read_geojson(const Source& source, NumberReading reading) {
 }
 
 bool is_geojson(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string_view::npos) return false;
-  if (text[first] == '[') return true;
-  return text[first] == '{' && text.find("\"circumspect\"") == std::string_view::npos &&
+  text = from_first_word(text);
+  if (text.starts_with('[')) return true;
+  return text.starts_with('{') && text.find("\"circumspect\"") == std::string_view::npos &&
          text.find("\"type\"") != std::string_view::npos;
 }
 

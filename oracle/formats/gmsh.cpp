@@ -17,8 +17,7 @@ namespace {
 
 class GmshReader {
  public:
-  GmshReader(const Source& source, NumberReading reading)
-      : text_(source.name, source.text, reading) {}
+  GmshReader(const Source& source, NumberReading reading) : text_(source, reading) {}
 
   Result<ElementFile> read();
 

@@ -1,9 +1,11 @@
 // Laws of the readers of elements: a count that is wrong by one is noticed, in either direction,
 // and an integer means the same number whatever type stores it.
+#include <algorithm>
 #include <limits>
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/bytes/words.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
@@ -156,6 +158,24 @@ TEST_CASE("a count that is one more or one less than what is there changes no me
     CHECK(tried > 0);
     CHECK(refused > 0);
   }
+}
+
+TEST_CASE("a byte order mark before a text changes nothing") {
+  std::size_t texts = 0;
+  for (const WrittenForm& form : all_forms(mesh_of_telling_counts())) {
+    const bool is_text = std::all_of(form.text.begin(), form.text.end(), [](unsigned char c) {
+      return c == '\n' || (c >= ' ' && c <= '~');
+    });
+    if (!is_text) continue;
+    CAPTURE(form.name);
+    WrittenForm marked = form;
+    marked.text.insert(0, kByteOrderMark);
+    const auto whole = read_form(form, kDouble), read = read_form(marked, kDouble);
+    REQUIRE_MESSAGE(read, error_of(read));
+    CHECK(are_same(*read, *whole));
+    ++texts;
+  }
+  CHECK(texts >= 8);
 }
 
 TEST_CASE("an integer is the same number in every type that can store it") {

@@ -48,10 +48,7 @@ std::optional<std::size_t> axis_of(std::string_view name) {
 class CsvReader {
  public:
   CsvReader(const Source& source, NumberReading reading)
-      : name_(source.name), rest_(source.text), reading_(reading) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-  }
+      : name_(source.name), rest_(behind_mark(source.text)), reading_(reading) {}
 
   Result<PointFile> read() {
     bool is_first = true;

@@ -71,7 +71,7 @@ Status read_tetrahedron(MixedText& text, const Item& one, Simplex& vertices, std
 }  // namespace
 
 Result<ElementFile> read_tet(const Source& source, NumberReading reading) {
-  MixedText text(source.name, source.text, reading);
+  MixedText text(source, reading);
   const Result<TetCounts> counts = read_tet_counts(text);
   if (!counts) return tl::unexpected(counts.error());
   const std::string_view body = source.text;

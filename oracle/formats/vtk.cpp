@@ -21,8 +21,7 @@ const std::map<std::string, Vertex, std::less<>> kSurfaceKeywords = {
 
 class VtkReader {
  public:
-  VtkReader(const Source& source, NumberReading reading)
-      : text_(source.name, source.text, reading) {}
+  VtkReader(const Source& source, NumberReading reading) : text_(source, reading) {}
 
   Result<ElementFile> read();
 

@@ -58,7 +58,7 @@ Status VtuReader::read_points(pugi::xml_node piece, std::size_t count) {
     if (count == 0) return {};
     return document_->fail(piece, "an element Points with a DataArray", "none");
   }
-  if (trimmed(node.attribute("NumberOfComponents").value()) != "3") {
+  if (without_blanks(node.attribute("NumberOfComponents").value()) != "3") {
     return document_->fail(node, "NumberOfComponents=\"3\"",
                            quote(node.attribute("NumberOfComponents").value()));
   }
@@ -178,9 +178,7 @@ Result<ElementFile> VtuReader::read() {
 }  // namespace
 
 bool is_vtu(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string_view::npos) return false;
-  text.remove_prefix(first);
+  text = from_first_word(text);
   return text.starts_with("<VTKFile") || text.starts_with("<?xml");
 }
 

@@ -37,13 +37,6 @@ std::size_t line_at(std::string_view text, std::size_t offset) {
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
 Result<std::unique_ptr<VtuDocument>> VtuDocument::parse(const Source& source,
                                                         NumberReading reading) {
   std::unique_ptr<VtuDocument> file(new VtuDocument(source, reading));
@@ -79,7 +72,7 @@ tl::unexpected<FormatError> VtuDocument::fail(pugi::xml_node node, std::string e
 Result<std::size_t> VtuDocument::count(pugi::xml_node node, const char* attribute) const {
   const std::string text = node.attribute(attribute).value();
   Vertex value = 0;
-  const std::errc error = parse_integer(trimmed(text), value);
+  const std::errc error = parse_integer(without_blanks(text), value);
   if (error == std::errc() && value >= 0) return count_of(value);
   return fail(node, std::string(attribute) + "=\"N\", an integer, 0 or more",
               text.empty() ? "none" : quote(text));

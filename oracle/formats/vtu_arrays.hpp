@@ -21,9 +21,6 @@ namespace circumspect::formats {
 // The line on which this place of a text is, from 1.
 std::size_t line_at(std::string_view text, std::size_t offset);
 
-// Without the blanks around it.
-std::string_view trimmed(std::string_view text);
-
 // The document, and the bytes after it.
 class VtuDocument {
  public:

@@ -20,18 +20,12 @@ constexpr Geometry kFurther[] = {{"Triangle", Geometry::Kind::kPolygons, 3},
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_white(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-bool same_word(std::string_view a, std::string_view b) {
-  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return small(x) == small(y); });
-}
-
 const Geometry* geometry_of(std::string_view word) {
   for (const Geometry& geometry : kGeometries) {
-    if (same_word(word, geometry.name)) return &geometry;
+    if (is_word(word, geometry.name)) return &geometry;
   }
   for (const Geometry& geometry : kFurther) {
-    if (same_word(word, geometry.name)) return &geometry;
+    if (is_word(word, geometry.name)) return &geometry;
   }
   return nullptr;
 }
@@ -42,9 +36,7 @@ enum class PositionColumns { kAsListed, kXyz, kXym, kXyzm };
 // Words, numbers and punctuation, and the line of each.
 class Words {
  public:
-  explicit Words(const Source& source) : source_(source), rest_(source.text) {
-    constexpr std::string_view kMark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(kMark)) rest_.remove_prefix(kMark.size());
+  explicit Words(const Source& source) : source_(source), rest_(behind_mark(source.text)) {
     next();
   }
 
@@ -105,9 +97,9 @@ class WktReader {
 // "Z" may be a word of its own, or the end of the geometry's name.
 PositionColumns WktReader::columns(std::string_view behind) {
   const auto named = [](std::string_view word) -> std::optional<PositionColumns> {
-    if (same_word(word, "z")) return PositionColumns::kXyz;
-    if (same_word(word, "m")) return PositionColumns::kXym;
-    if (same_word(word, "zm")) return PositionColumns::kXyzm;
+    if (is_word(word, "z")) return PositionColumns::kXyz;
+    if (is_word(word, "m")) return PositionColumns::kXym;
+    if (is_word(word, "zm")) return PositionColumns::kXyzm;
     return std::nullopt;
   };
   if (!behind.empty()) return named(behind).value_or(PositionColumns::kAsListed);
@@ -138,7 +130,7 @@ Result<Coordinates> WktReader::position(PositionColumns columns) {
 
 Result<Coordinates> WktReader::list(int depth, PositionColumns columns) {
   Coordinates list{words_.line()};
-  if (same_word(words_.word(), "empty")) {
+  if (is_word(words_.word(), "empty")) {
     words_.next();
     return list;
   }
@@ -159,8 +151,8 @@ Status WktReader::geometry() {
   for (const std::string_view ending : {"ZM", "Z", "M"}) {
     if (geometry != nullptr || name.size() <= ending.size()) continue;
     behind = name.substr(name.size() - ending.size());
-    geometry = same_word(behind, ending) ? geometry_of(name.substr(0, name.size() - ending.size()))
-                                         : nullptr;
+    geometry = is_word(behind, ending) ? geometry_of(name.substr(0, name.size() - ending.size()))
+                                       : nullptr;
   }
   if (geometry == nullptr) {
     return words_.fail("a geometry of straight lines, such as POLYGON or MULTIPOLYGON");
@@ -171,7 +163,7 @@ Status WktReader::geometry() {
     const Result<Coordinates> listed = list(geometry->depth, found);
     return listed ? rings_.add(*geometry, *listed) : tl::unexpected(listed.error());
   }
-  if (same_word(words_.word(), "empty")) {
+  if (is_word(words_.word(), "empty")) {
     words_.next();
     return {};
   }
@@ -184,16 +176,16 @@ Result<DomainFile> WktReader::read() {
   while (!words_.word().empty()) {
     const std::string_view word = words_.word();
     const std::string_view begin = word.substr(0, kCollection.size());
-    if (word.size() > 5 && same_word(word.substr(0, 5), "srid=")) {
+    if (word.size() > 5 && is_word(word.substr(0, 5), "srid=")) {
       words_.next();
     } else if (collections_ > 0 && words_.take(")")) {
       --collections_;
     } else if (word == "," || word == ";") {
       words_.next();
-    } else if (same_word(begin, kCollection)) {
+    } else if (is_word(begin, kCollection)) {
       words_.next();
       columns(word.substr(begin.size()));  // those of its geometries count
-      if (same_word(words_.word(), "empty")) {
+      if (is_word(words_.word(), "empty")) {
         words_.next();
       } else if (words_.take("(")) {
         ++collections_;
@@ -215,14 +207,12 @@ Result<DomainFile> read_wkt(const Source& source, NumberReading reading) {
 }
 
 bool is_wkt(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string_view::npos) return false;
-  text.remove_prefix(first);
+  text = from_first_word(text);
   std::size_t size = 0;
   while (size < text.size() && size < 32 && is_letter(text[size])) ++size;
   std::string_view word = text.substr(0, size);
-  if (same_word(word, "srid") && text.substr(size).starts_with("=")) return true;
-  while (!word.empty() && geometry_of(word) == nullptr && !same_word(word, kCollection)) {
+  if (is_word(word, "srid") && text.substr(size).starts_with("=")) return true;
+  while (!word.empty() && geometry_of(word) == nullptr && !is_word(word, kCollection)) {
     const char last = word.back();
     if (last != 'Z' && last != 'M' && last != 'z' && last != 'm') return false;
     word.remove_suffix(1);

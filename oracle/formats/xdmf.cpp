@@ -202,7 +202,7 @@ Result<ElementFile> XdmfReader::read() {
 }  // namespace
 
 bool is_xdmf(std::string_view text) {
-  text = trimmed(text.substr(0, 4096));
+  text = from_first_word(text.substr(0, 4096));
   return text.starts_with('<') && text.find("<Xdmf") != std::string_view::npos;
 }
 

@@ -13,6 +13,13 @@ namespace {
 
 constexpr std::size_t kMostDimensions = 8;
 
+// How many numbers an array of these lengths has. Requires: as many fit 64 bits.
+std::size_t product(const std::vector<std::size_t>& lengths) {
+  std::size_t count = 1;
+  for (const std::size_t length : lengths) count *= length;
+  return count;
+}
+
 std::string_view attribute_of(pugi::xml_node node, const char* name, const char* other) {
   return node.attribute(name) ? node.attribute(name).value() : node.attribute(other).value();
 }
@@ -30,11 +37,7 @@ void add_grids(pugi::xml_node within, std::vector<pugi::xml_node>& grids) {
 
 }  // namespace
 
-std::size_t XdmfArray::numbers() const {
-  std::size_t count = 1;
-  for (const std::size_t length : dimensions) count *= length;  // checked to fit
-  return count;
-}
+std::size_t XdmfArray::numbers() const { return product(dimensions); }
 
 Status XdmfArray::expect_end(const std::string& what) {
   if (text.is_at_end()) return {};
@@ -142,11 +145,6 @@ Result<XdmfArray> XdmfDocument::from_hdf5(pugi::xml_node item, std::string_view 
   if (!file) return tl::unexpected(file.error());
   Result<Hdf5Array> read = read_hdf5(**file, text.substr(colon + 1));
   if (!read) return tl::unexpected(read.error());
-  const auto product = [](const std::vector<std::size_t>& lengths) {
-    std::size_t count = 1;
-    for (const std::size_t length : lengths) count *= length;
-    return count;
-  };
   if (product(read->dimensions) != product(dimensions)) {
     return fail(item, std::to_string(product(dimensions)) + " numbers, by its Dimensions",
                 std::to_string(product(read->dimensions)) + " in " + quote(text));
@@ -197,10 +195,10 @@ Result<XdmfArray> XdmfDocument::array(pugi::xml_node item, pugi::xml_node of) {
   const std::string format = item.attribute("Format").as_string("XML");
   const pugi::xml_node content = item.first_child();
   const std::string_view text = content.value();
-  if (format == "HDF") return from_hdf5(item, trimmed(text), *lengths);
+  if (format == "HDF") return from_hdf5(item, without_blanks(text), *lengths);
   XdmfArray array{std::move(*lengths), *type, nullptr,
                   MixedText(source_.name, text, reading_, line_of(content ? content : item))};
-  if (format == "Binary") return from_bytes(item, trimmed(text), std::move(array));
+  if (format == "Binary") return from_bytes(item, without_blanks(text), std::move(array));
   if (format != "XML") return fail(item, "Format=\"XML\", \"HDF\" or \"Binary\"", quote(format));
   // A number has a character at least.
   if (array.numbers() <= text.size()) return array;

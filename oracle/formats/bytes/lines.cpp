@@ -1,7 +1,6 @@
 #include "oracle/formats/bytes/lines.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 #include "kernel/exact/number.hpp"
@@ -40,14 +39,6 @@ bool is_plain_decimal(std::string_view token, double& value) {
 
 }  // namespace
 
-bool is_word(std::string_view token, std::string_view word) {
-  if (token.size() != word.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(token[i])) != word[i]) return false;
-  }
-  return true;
-}
-
 std::errc parse_integer(std::string_view token, Vertex& value) {
   const bool has_plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
   if (has_plus) token.remove_prefix(1);
@@ -65,12 +56,7 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
 }
 
 Lines::Lines(const Source& source, char end, char comment)
-    : source_(source), rest_(source.text), end_(end), comment_(comment) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-    rest_.remove_prefix(kByteOrderMark.size());
-  }
-}
+    : source_(source), rest_(behind_mark(source.text)), end_(end), comment_(comment) {}
 
 bool Lines::next() {
   tokens_.clear();

@@ -19,11 +19,9 @@
 #include "oracle/formats/bytes/plain_number.hpp"
 #include "oracle/formats/bytes/point_rows.hpp"
 #include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/bytes/words.hpp"
 
 namespace circumspect::formats {
-
-// Is the token this word, in letters of any case? Requires: the word is in small letters.
-bool is_word(std::string_view token, std::string_view word);
 
 // The whole token as an integer: std::errc() if it is one and fits, result_out_of_range if it is
 // one and does not fit 64 bits, invalid_argument otherwise.

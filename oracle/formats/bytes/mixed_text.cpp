@@ -27,6 +27,11 @@ MixedText::MixedText(std::string name, std::string_view text, NumberReading read
       word_line_(first_line),
       first_line_(first_line) {}
 
+MixedText::MixedText(const Source& source, NumberReading reading)
+    : MixedText(source.name, source.text, reading) {
+  at_ = text_.size() - behind_mark(text_).size();
+}
+
 void MixedText::begin_section() {
   section_ = shortened(word_);
   section_at_ = read_at_;

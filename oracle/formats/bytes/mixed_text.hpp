@@ -48,6 +48,8 @@ struct Item {
 
 class MixedText {
  public:
+  // A whole file, whose byte order mark is skipped. Requires: the source outlives this object.
+  MixedText(const Source& source, NumberReading reading);
   // `first_line`: the line of the file on which the text begins. Requires: the text outlives this
   // object.
   MixedText(std::string name, std::string_view text, NumberReading reading,

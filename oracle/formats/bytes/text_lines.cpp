@@ -1,27 +1,10 @@
 #include "oracle/formats/bytes/text_lines.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace circumspect::formats {
 
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
-TextLines::TextLines(const Source& source) : source_(source), rest_(source.text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-}
+TextLines::TextLines(const Source& source) : source_(source), rest_(behind_mark(source.text)) {}
 
 bool TextLines::next() {
   text_ = {};

@@ -7,13 +7,9 @@
 #include <utility>
 
 #include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/bytes/words.hpp"
 
 namespace circumspect::formats {
-
-// The same text without blanks, tabs and carriage returns at either end.
-std::string_view without_blanks(std::string_view text);
-// In capitals.
-std::string upper(std::string_view word);
 
 class TextLines {
  public:
