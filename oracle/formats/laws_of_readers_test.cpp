@@ -160,7 +160,7 @@ TEST_CASE("a count that is one more or one less than what is there changes no me
   }
 }
 
-TEST_CASE("a byte order mark before a text changes nothing") {
+TEST_CASE("a byte order mark, carriage returns and the end of the last line change no text") {
   std::size_t texts = 0;
   for (const WrittenForm& form : all_forms(mesh_of_telling_counts())) {
     const bool is_text = std::all_of(form.text.begin(), form.text.end(), [](unsigned char c) {
@@ -168,11 +168,21 @@ TEST_CASE("a byte order mark before a text changes nothing") {
     });
     if (!is_text) continue;
     CAPTURE(form.name);
-    WrittenForm marked = form;
-    marked.text.insert(0, kByteOrderMark);
-    const auto whole = read_form(form, kDouble), read = read_form(marked, kDouble);
-    REQUIRE_MESSAGE(read, error_of(read));
-    CHECK(are_same(*read, *whole));
+    const auto whole = read_form(form, kDouble);
+    REQUIRE_MESSAGE(whole, error_of(whole));
+    std::string returned;
+    for (const char c : form.text) returned += c == '\n' ? "\r\n" : std::string(1, c);
+    std::string cut = form.text;
+    while (cut.ends_with('\n')) cut.pop_back();
+    for (const std::string& text :
+         {std::string(kByteOrderMark) + form.text, returned, cut, form.text + "\n \n"}) {
+      CAPTURE(text);
+      WrittenForm changed = form;
+      changed.text = text;
+      const auto read = read_form(changed, kDouble);
+      REQUIRE_MESSAGE(read, error_of(read));
+      CHECK(are_same(*read, *whole));
+    }
     ++texts;
   }
   CHECK(texts >= 8);
