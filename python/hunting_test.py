@@ -193,3 +193,21 @@ def test_hypothesis_shrinks():
                  lambda: strategies.domains(families=["sphere"])):
         with pytest.raises(ValueError, match="expected"):
             call()
+
+
+def test_numbers_that_no_campaign_can_use():
+    points = [[0, 0], [1, 0], [0, 1]]
+    for refused, message in ((lambda: circumspect.generate("grid", seed=-1), "integer from 0 to 18446744073709551615, found -1"),
+                             (lambda: circumspect.generate("grid", points=-1), "integer from 0 to .*, found -1"),
+                             (lambda: circumspect.generate("grid", dimension=2 + 2**32), "dimension, found 4294967298"),
+                             (lambda: circumspect.generate_domain("planar-grid", seed=2**64), "found 18446744073709551616"),
+                             (lambda: circumspect.campaign(lambda points: [], seed=-1, cases=1), "found -1"),
+                             (lambda: circumspect.check(points, [[0, 1, 2]], threads=2**32), "4096 threads, found 4294967296"),
+                             (lambda: circumspect.minimize(lambda points: [], [[10**400, 0], [1, 0]]), "within the range of double"),
+                             (lambda: circumspect.minimize(lambda points, weights: [], points, weights=[0, 1]), "one weight a point, 3, found 2"),
+                             (lambda: circumspect.minimize(lambda points, weights: [], points, weights=[0, 1, float("nan")]),
+                              "finite weights, found nan")):
+        with pytest.raises(ValueError, match=message):
+            refused()
+    with pytest.raises(TypeError, match="numbers as weights, found None"):
+        circumspect.minimize(lambda points, weights: [], points, weights=[0, 1, None])

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,19 +69,28 @@ inline constexpr bool is_a<Template<Parts...>, Template> = true;
 template <class Value>
 Value value_of(PyObject* object);
 
-// The integers of Python are of any size.
+// The integers of Python are of any size: one that does not fit is a ValueError that says so.
 template <class Value>
 Value integer_of(PyObject* object) {
+  using Widest = std::conditional_t<std::is_signed_v<Value>, long long, unsigned long long>;
+  const Object index = Object::owned(PyNumber_Index(object));
+  Widest value = 0;
   if constexpr (std::is_signed_v<Value>) {
-    const long long value = PyLong_AsLongLong(object);
-    require(value != -1 || PyErr_Occurred() == nullptr);
-    return static_cast<Value>(value);
+    value = PyLong_AsLongLong(index.get());
   } else {
-    const Object index = Object::owned(PyNumber_Index(object));
-    const unsigned long long value = PyLong_AsUnsignedLongLong(index.get());
-    require(value != static_cast<unsigned long long>(-1) || PyErr_Occurred() == nullptr);
-    return static_cast<Value>(value);
+    value = PyLong_AsUnsignedLongLong(index.get());
   }
+  const bool is_too_wide = value == static_cast<Widest>(-1) && PyErr_Occurred() != nullptr;
+  if (!is_too_wide && std::in_range<Value>(value)) return static_cast<Value>(value);
+  PyErr_Clear();
+  const Object found = Object::owned(PyObject_Str(index.get()));
+  Py_ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(found.get(), &size);
+  require(text != nullptr);
+  throw Failure{PyExc_ValueError,
+                "expected an integer from " + std::to_string(std::numeric_limits<Value>::min()) +
+                    " to " + std::to_string(std::numeric_limits<Value>::max()) + ", found " +
+                    std::string(text, static_cast<std::size_t>(size))};
 }
 
 template <class List>

@@ -306,10 +306,13 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
         _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, False,
                     False, None, "", "", 0, True)
     else:
-        own = np.array(points, dtype=np.float64)
-        if own.ndim != 2 or not np.isfinite(own).all():
-            raise ValueError(f"expected finite points of shape (n, d), found {own.shape}")
-        given = Case(own, None if weights is None else np.array(weights, dtype=np.float64))
+        points_of(points, weights)  # refuses what check refuses
+        try:
+            own = np.array(points, dtype=np.float64)
+            own_weights = None if weights is None else np.array(weights, dtype=np.float64)
+        except OverflowError:
+            raise ValueError("expected points and weights within the range of double") from None
+        given = Case(own, own_weights)
     subject = subject_of(function, claim, given.domain is not None, refuses, isolated, time_limit, within, duplicates)
     if given.domain is None and not subject.merge:
         _core.check("triangulation", points_of(given.points).parts(), None, 1, 1, False, False, False, True, None, "", "", 0,

@@ -217,10 +217,13 @@ def domain_of(domain: Any) -> Domain:
         if unknown or not {"vertices", "points"} & set(domain):
             raise ValueError(f"expected a domain with the keys {', '.join(sorted(known))}, found {sorted(domain)}")
         return Domain(**{known[key]: value for key, value in domain.items()})
+    import numpy as np
+
     points, simplices, _, _, edges = parts_of(domain)
-    if simplices.shape[1] != 3:
-        raise ValueError(f"expected a surface of triangles as a domain, found cells of {simplices.shape[1]} vertices")
-    return Domain(points, edges, polygons=simplices.tolist())
+    faces = np.asarray(simplices)
+    if faces.ndim != 2 or faces.shape[1] != 3:
+        raise ValueError(f"expected a surface of triangles as a domain, found cells of shape {faces.shape}")
+    return Domain(points, edges, polygons=faces.tolist())
 
 
 def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:
