@@ -90,8 +90,8 @@ npm: deps-web
 # sources, in build/wheel/dist; `wheel-root` installs the wheel into a bare Debian 13 and judges there.
 wheel: deps-verified
 	@cmake/packages.sh wheel
-	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED)-static
-	@JOBS=$(JOBS) packaging/wheel.sh build/wheel $(VERIFIED)-static $(PYTHONS)
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED)-small
+	@JOBS=$(JOBS) packaging/wheel.sh build/wheel $(VERIFIED)-small $(PYTHONS)
 wheel-root:
 	@packaging/wheel_root_test.sh build/wheel/dist
 

@@ -3,7 +3,7 @@ pyproject.toml.
 
 These variables are for those who have built something already:
   CIRCUMSPECT_BUILD     a build that was configured with -DCIRCUMSPECT_BUILD_PYTHON=ON: it is used instead of one here
-  CIRCUMSPECT_VERIFIED  circumspect-verified, linked with no shared library, which goes along
+  CIRCUMSPECT_VERIFIED  circumspect-verified, linked with the C library alone, which goes along
   CIRCUMSPECT_PLATFORM  a tag such as "manylinux_2_34_x86_64", on which the wheel runs (packaging/wheel.sh)
 """
 import importlib.util

@@ -19,6 +19,9 @@
 #     *_soak_test.cpp, *_soak_property.cpp   label `soak`: only by `make soak`
 # The sanitizers' build does not compile either.
 
+# How a quick build optimizes what nobody waits for.
+set(circumspect_untimed $<IF:$<BOOL:${CIRCUMSPECT_SMALL}>,-Os,-O1>)
+
 # Does Clang compile the tests, and may the layers that do light work go with them?
 set(circumspect_tests_by_clang OFF)
 if(CIRCUMSPECT_BUILD_TESTS AND CIRCUMSPECT_TEST_LAUNCHER AND CIRCUMSPECT_MOLD AND CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
@@ -167,7 +170,7 @@ function(circumspect_compile_as target kind)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_TEST_LAUNCHER}"
                                                CIRCUMSPECT_LIGHT ON)
   elseif(kind STREQUAL "untimed_layers" OR kind STREQUAL "properties")
-    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:${circumspect_untimed}>)
   endif()
 endfunction()
 
@@ -258,7 +261,7 @@ function(circumspect_compile_front target)
     circumspect_link_quickly(${target})
     circumspect_prefer_archives(${target} ${ARGN})
   elseif(CIRCUMSPECT_QUICK_BUILD)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:${circumspect_untimed}>)
   endif()
 endfunction()
 

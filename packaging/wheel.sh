@@ -3,7 +3,7 @@
 #   packaging/wheel.sh FOLDER VERIFIED [PYTHON…]
 # FOLDER/dist has then the archive of the sources, and a wheel for each PYTHON (default:
 # /usr/bin/python3): one of 3.11 or later serves all that come after 3.11. The command and VERIFIED,
-# circumspect-verified linked with no shared library, are in it. The wheel's tag names the oldest
+# circumspect-verified linked with the C library alone, are in it. The wheel's tag names the oldest
 # glibc that has all that is asked of it. FOLDER/libraries and FOLDER/build are kept. The same
 # sources make the same bytes.
 set -euo pipefail
@@ -14,7 +14,7 @@ folder=$(realpath "$1")
 verified=$(realpath "${2:?usage: packaging/wheel.sh FOLDER VERIFIED [PYTHON…]}")
 shift 2
 [ $# -gt 0 ] || set -- /usr/bin/python3
-LARGEST=7000000  # bytes of a wheel
+LARGEST=6000000  # bytes of a wheel
 
 fail() {
   echo "packaging/wheel.sh: $1" >&2
@@ -48,7 +48,7 @@ for python in "$@"; do
   # nobody calls are left out.
   quietly cmake -S "$root" -B "$folder/build" -G Ninja -U 'Python3_*' -U '_Python3_*' -DPython3_EXECUTABLE="$(command -v "$python")" \
     "${archives[@]}" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCIRCUMSPECT_QUICK_BUILD=ON \
-    -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_PYTHON=ON -DCIRCUMSPECT_PYTHON_COMMAND=ON \
+    -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_SMALL=ON -DCIRCUMSPECT_BUILD_PYTHON=ON -DCIRCUMSPECT_PYTHON_COMMAND=ON \
     -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_INSTALL=OFF -DCIRCUMSPECT_ZSTD=OFF -DCIRCUMSPECT_LZMA=OFF \
     -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root=. -ffunction-sections -fdata-sections" \
     -DCMAKE_MODULE_LINKER_FLAGS="-L$folder/libraries/lib -Wl,--gc-sections -static-libstdc++"
@@ -56,15 +56,17 @@ for python in "$@"; do
   cmake --build "$folder/build" --target circumspect_python -j "${JOBS:-$(nproc)}"
 
   extension=$(echo "$folder"/build/python/circumspect/_core.*.so)
-  needed=$(readelf -d "$extension" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort | tr '\n' ' ')
+  needed=$(readelf -d "$extension" "$verified" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort -u | tr '\n' ' ')
   for library in $needed; do
     case $library in
       libc.so.* | libm.so.* | libgcc_s.so.* | libstdc++.so.* | ld-linux-*) ;;
-      *) fail "expected an extension that needs the C library alone, found that it needs $library" ;;
+      *) fail "expected a wheel that needs the C library alone, found that it needs $library" ;;
     esac
   done
-  glibc=$({ readelf -V "$extension" | grep -o 'GLIBC_2\.[0-9]*'; echo GLIBC_2.17; } | sort -uV | tail -n 1)
+  glibc=$({ readelf -V "$extension" "$verified" | grep -o 'GLIBC_2\.[0-9]*'; echo GLIBC_2.17; } | sort -uV | tail -n 1)
   glibc=${glibc#GLIBC_}
+  grep -q "glibc $glibc or later" "$root/docs/python.md" ||
+    fail "expected a wheel for the glibc that docs/python.md names, found that it needs $glibc"
   CIRCUMSPECT_BUILD=$folder/build CIRCUMSPECT_VERIFIED=$verified \
     CIRCUMSPECT_PLATFORM=manylinux_${glibc/./_}_$(uname -m) \
     quietly "$python" -m build --wheel --no-isolation --outdir "$folder/dist" "$copy"

@@ -1,6 +1,7 @@
 // A file that has no name, or one that nobody expects, until it is complete.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace circumspect::platform {
@@ -28,6 +29,9 @@ class NewFile {
   std::string unfinished_;  // its name until it has its own; empty if it has none
   int descriptor_ = -1;
 };
+
+// The system's; where it gives none, one that nobody has soon.
+std::uint64_t random_number();
 
 // An unpredictable name in the folder of this path.
 std::string unpredictable_name(const std::string& path);

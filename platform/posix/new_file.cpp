@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include "platform/posix/descriptors.hpp"
@@ -76,6 +77,14 @@ class WithoutSignals {
 };
 
 }  // namespace
+
+// Not std::random_device, which asks for a glibc of 2022 where libstdc++ is linked statically.
+std::uint64_t random_number() {
+  std::uint64_t number = 0;
+  if (getentropy(&number, sizeof number) == 0) return number;
+  static int place;
+  return reinterpret_cast<std::uintptr_t>(&place);
+}
 
 NewFile::NewFile(std::string path)
     : path_(std::move(path)), descriptor_(open_unnamed(folder_of(path_))) {

@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <exception>
+#include <random>
 #include <utility>
 
 #include <fcntl.h>
@@ -22,6 +24,16 @@ bool set_vanishing(int descriptor, bool vanishes) {
 }
 
 }  // namespace
+
+std::uint64_t random_number() {
+  try {
+    std::random_device device;
+    return std::uint64_t{device()} << 32U ^ device();
+  } catch (const std::exception&) {
+    static int place;
+    return reinterpret_cast<std::uintptr_t>(&place);
+  }
+}
 
 NewFile::NewFile(std::string path) : path_(std::move(path)) {
   unfinished_ = unpredictable_name(path_);
