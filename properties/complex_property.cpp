@@ -162,7 +162,8 @@ std::string text(const Verdict& verdict, const Mesh& mesh) {
   return report::explanation(verdict, mesh) + report::verdict_line(verdict, mesh, "m") +
          report::note_of_set_apart(verdict, "m").value_or("") + std::to_string(facts.parts) + " " +
          std::to_string(facts.boundary_facets) + " " + std::to_string(facts.hanging_vertices) +
-         " " + std::to_string(facts.positive) + " " + std::to_string(verdict.dimension);
+         " " + std::to_string(facts.positive) + " " + std::to_string(facts.overlaps_of_parts) +
+         " " + std::to_string(facts.overlapping_parts) + " " + std::to_string(verdict.dimension);
 }
 
 // What comes up.

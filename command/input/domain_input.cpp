@@ -21,6 +21,19 @@
 namespace circumspect::cli {
 namespace {
 
+// What may be all that the user needs, of an input that is no piecewise linear complex; or empty.
+std::string remedy_of(const Breach& breach, std::size_t dimension) {
+  if (breach.kind == BreachKind::kDuplicateVertex) {
+    return "; to take equal points for one, add --duplicates merge to the command";
+  }
+  const bool meet_in_vertices =
+      breach.kind == BreachKind::kCrossingSegments || breach.kind == BreachKind::kVertexInSegment;
+  if (meet_in_vertices && dimension == 2) {
+    return "; if the program makes a vertex where segments meet, check --resolve judges its mesh";
+  }
+  return "";
+}
+
 // Of breaches that were sought up to one more than `max_breaches`, or all if that is 0.
 DomainFault fault_of(std::vector<Breach> breaches, std::size_t max_breaches,
                      formats::DomainFile file) {
@@ -29,9 +42,7 @@ DomainFault fault_of(std::vector<Breach> breaches, std::size_t max_breaches,
   std::string message =
       fmt::format("{}: expected a piecewise linear complex, found {}",
                   breach_place(breaches.front(), file), breach_line(breaches.front(), file));
-  if (breaches.front().kind == BreachKind::kDuplicateVertex) {
-    message += "; to take equal points for one, add --duplicates merge to the command";
-  }
+  message += remedy_of(breaches.front(), file.dimension);
   if (truncated) {
     message += fmt::format(
         " (and at least {} more; `circumspect inspect --max-errors 0` lists all)", breaches.size());

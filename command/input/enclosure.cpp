@@ -140,8 +140,9 @@ void note_seeds(const Regions& regions, const Domain& domain, std::vector<std::s
   for (std::size_t i = 0; i < regions.size(); ++i) holes += regions.where(i) == Where::kHole;
   if (holes > 0 && holes + 1 == regions.size()) {
     notes.push_back(
-        fmt::format("hole seeds empty all that is enclosed ({}): nothing is left to fill",
-                    holes == 1 ? "one region" : fmt::format("{} regions", holes)));
+        fmt::format("hole seeds empty all that is enclosed ({}): nothing is left to fill{}",
+                    holes == 1 ? "one region" : fmt::format("{} regions", holes),
+                    is_planar(domain) ? "; --fill hull fills the convex hull without them" : ""));
   }
 }
 

@@ -85,8 +85,10 @@ void drop_points(DomainFile& domain, const std::vector<bool>& dropped) {
     kept.push_back(std::move(domain.input.points[v]));
     domain.labels.push_back(static_cast<Vertex>(v) + domain.first_index);
   }
-  domain.notes.push_back(domain.name + ": " + std::to_string(dropped.size() - kept.size()) +
-                         " vertices of cells alone left out of the domain");
+  const std::size_t left_out = dropped.size() - kept.size();
+  domain.notes.push_back(domain.name + ": " + std::to_string(left_out) +
+                         (left_out == 1 ? " vertex" : " vertices") +
+                         " of cells alone left out of the domain");
   domain.input.points = std::move(kept);
   const auto renumber = [&place](std::vector<Vertex>& vertices) {
     for (Vertex& v : vertices) v = place[static_cast<std::size_t>(v)];

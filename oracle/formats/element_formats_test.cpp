@@ -245,9 +245,9 @@ TEST_CASE("gmsh: tags in a row are indices, in whatever order; gaps are noted") 
 
 TEST_CASE("gmsh: headers that are refused") {
   CHECK(error_of(gmsh("")) == "f:1: expected \"$MeshFormat\", found the end of the file");
-  CHECK(error_of(gmsh("$MeshFormat\n4 0 8\n")) ==
-        "f:2: expected version 4.1 or 2 of the format (gmsh writes it with -format msh41), found "
-        "\"4\"");
+  CHECK(error_of(gmsh("$MeshFormat\n3 0 8\n")) ==
+        "f:2: expected version 2, 4.0 or 4.1 of the format (gmsh writes it with -format msh41), "
+        "found \"3\"");
   CHECK(error_of(gmsh("$MeshFormat\n2.2 2 8\n")) ==
         "f:2: expected 0 (text) or 1 (binary), found \"2\"");
   CHECK(error_of(gmsh("$MeshFormat\n2.2 0 4\n")) ==
@@ -296,6 +296,16 @@ TEST_CASE("gmsh 2: what is refused") {
         "f:14: expected element 2 of 2, an integer, found \"$EndElements\"");
   CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n2 1 2 0 1 1 2\n"))) ==
         "f:14: expected \"$EndElements\", found \"2\"");
+}
+
+TEST_CASE("gmsh 4.0: physical groups, and boxes of points") {
+  const auto file = gmsh(
+      "$MeshFormat\n4 0 8\n$EndMeshFormat\n$Entities\n1 0 1 0\n1 0 0 0 0 0 0 1 9\n"
+      "5 0 0 0 1 1 0 1 8 0\n$EndEntities\n$Nodes\n1 3\n5 2 0 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
+      "$EndNodes\n$Elements\n1 1\n5 2 2 1\n1 1 2 3\n$EndElements\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
+  CHECK(file->triangles.labels == std::vector<Vertex>{8});
 }
 
 TEST_CASE("gmsh 4.1: what is refused") {

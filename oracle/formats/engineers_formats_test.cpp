@@ -59,6 +59,16 @@ TEST_CASE("su2: in the plane, with settings that are skipped") {
   CHECK(!is_su2_keyword("%"));
 }
 
+TEST_CASE("su2: markers of periodic boundaries list vertices that are sent") {
+  const std::string sent = "MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 2\nSEND_TO= -1\n1 0 1\n";
+  const std::string plane = "NDIME=2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 1\n";
+  const auto file = read_su2(named(plane + sent + "1 2 1\n"), kDouble);
+  REQUIRE(file);
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(su2_error(plane + sent) ==
+        "f:12: expected element of a marker 2 of 2, found the end of the file");
+}
+
 TEST_CASE("su2: zones are one mesh, each with indices of its own") {
   const std::string zone = "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\n";
   const auto file = read_su2(

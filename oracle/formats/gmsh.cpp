@@ -29,6 +29,10 @@ class GmshReader {
   Status read_nodes_2();
   Status read_nodes_4();
   Status read_node_block(std::size_t& read);
+  // Each point behind its tag, or all tags before all points, as in version 4.1. Parameters of each
+  // point follow it.
+  Status read_tagged_points(std::size_t count, std::size_t parameters);
+  Status read_tags_and_points(std::size_t count, std::size_t parameters);
   Status read_coordinates(std::size_t more, const Item& item);
   Status read_elements_1();
   Status read_elements_2();
@@ -47,6 +51,7 @@ class GmshReader {
 
   MixedText text_;
   std::size_t version_ = 0;  // 1, 2 or 4
+  bool is_4_0_ = false;      // of version 4
   bool has_nodes_ = false;
   bool has_elements_ = false;
   bool has_skipped_line_ = false;
@@ -66,9 +71,11 @@ Status GmshReader::read_header() {
   if (!status) return status;
   text_.begin_section();
   const std::string_view version = text_.word();
-  version_ = version == "4.1" ? 4 : version == "2" || version.starts_with("2.") ? 2 : 0;
+  is_4_0_ = version == "4" || version == "4.0";
+  version_ = is_4_0_ || version == "4.1" ? 4 : version == "2" || version.starts_with("2.") ? 2 : 0;
   if (version_ == 0) {
-    return text_.fail_at_word("version 4.1 or 2 of the format (gmsh writes it with -format msh41)");
+    return text_.fail_at_word(
+        "version 2, 4.0 or 4.1 of the format (gmsh writes it with -format msh41)");
   }
   const Result<std::size_t> type = text_.count_in_text("0 (text) or 1 (binary)");
   if (!type) return tl::unexpected(type.error());
@@ -105,52 +112,65 @@ Status GmshReader::read_nodes_2() {
   const Result<std::size_t> count = text_.count_in_text("the number of nodes");
   if (!count) return tl::unexpected(count.error());
   go_to_numbers();
-  for (std::size_t i = 0; i < *count; ++i) {
-    tags_.push_back(text_.take(kInt32, one_of_all("", "node", i, *count)));
-    if (text_.has_failed()) return text_.failure();
-    const Item item = one_of_all("a coordinate of ", "node", i, *count);
-    if (Status point = read_coordinates(0, item); !point) return point;
-  }
-  return {};
+  return read_tagged_points(*count, 0);
 }
 
 Status GmshReader::read_node_block(std::size_t& read) {
+  Status entity;
+  if (is_4_0_) entity = text_.skip_numbers(kInt32, 1, "the tag of an entity");
+  if (!entity) return entity;
   const Result<std::size_t> dimension = text_.count(kInt32, "the dimension of an entity");
   if (!dimension) return tl::unexpected(dimension.error());
   if (*dimension > 3) {
     return text_.fail("the dimension of an entity, 3 at most", std::to_string(*dimension));
   }
-  if (Status entity = text_.skip_numbers(kInt32, 1, "the tag of an entity"); !entity) return entity;
+  if (!is_4_0_) entity = text_.skip_numbers(kInt32, 1, "the tag of an entity");
+  if (!entity) return entity;
   const Result<std::size_t> parametric = text_.count(kInt32, "whether there are parameters");
   if (!parametric) return tl::unexpected(parametric.error());
   const Result<std::size_t> count = text_.count(kUint64, "the number of nodes of a block");
   if (!count) return tl::unexpected(count.error());
-  for (std::size_t i = 0; i < *count; ++i) {
-    tags_.push_back(text_.take(kUint64, one_of_all("", "node", i, *count)));
-    if (text_.has_failed()) return text_.failure();
-  }
-  const Item first = one_of_all("a coordinate of ", "node", 0, *count);
-  Status points;
-  if (*parametric == 0 || *dimension == 0) {
-    points = text_.points(kFloat64, *count, first, file_.points.points);
-  } else {
-    for (std::size_t i = 0; points && i < *count; ++i) {
-      points = read_coordinates(*dimension, one_of_all("a coordinate of ", "node", i, *count));
-    }
-  }
-  if (!points) return points;
   read += *count;
+  const std::size_t parameters = *parametric == 0 ? 0 : *dimension;
+  return is_4_0_ ? read_tagged_points(*count, parameters)
+                 : read_tags_and_points(*count, parameters);
+}
+
+Status GmshReader::read_tagged_points(std::size_t count, std::size_t parameters) {
+  for (std::size_t i = 0; i < count; ++i) {
+    tags_.push_back(text_.take(kInt32, one_of_all("", "node", i, count)));
+    if (text_.has_failed()) return text_.failure();
+    const Item item = one_of_all("a coordinate of ", "node", i, count);
+    if (Status point = read_coordinates(parameters, item); !point) return point;
+  }
   return {};
 }
 
-// The counts with which $Nodes and $Elements begin in version 4.1, then the blocks.
+Status GmshReader::read_tags_and_points(std::size_t count, std::size_t parameters) {
+  for (std::size_t i = 0; i < count; ++i) {
+    tags_.push_back(text_.take(kUint64, one_of_all("", "node", i, count)));
+    if (text_.has_failed()) return text_.failure();
+  }
+  const Item first = one_of_all("a coordinate of ", "node", 0, count);
+  if (parameters == 0) return text_.points(kFloat64, count, first, file_.points.points);
+  Status points;
+  for (std::size_t i = 0; points && i < count; ++i) {
+    points = read_coordinates(parameters, one_of_all("a coordinate of ", "node", i, count));
+  }
+  return points;
+}
+
+// The counts with which $Nodes and $Elements begin in version 4, then the blocks.
 Status GmshReader::read_nodes_4() {
   go_to_numbers();
   const Result<std::size_t> blocks = text_.count(kUint64, "the number of blocks of nodes");
   if (!blocks) return tl::unexpected(blocks.error());
   const Result<std::size_t> count = text_.count(kUint64, "the number of nodes");
   if (!count) return tl::unexpected(count.error());
-  Status status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of nodes");
+  Status status;
+  if (!is_4_0_) {
+    status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of nodes");
+  }
   std::size_t read = 0;
   for (std::size_t i = 0; status && i < *blocks; ++i) status = read_node_block(read);
   if (!status || read == *count) return status;
@@ -171,11 +191,11 @@ Result<const ElementType*> GmshReader::read_type() {
                     "an element of Gmsh's type " + std::to_string(code));
 }
 
-// In version 4.1 the physical groups of elements are those of the entity to which they belong.
+// In version 4 the physical groups of elements are those of the entity to which they belong.
 Status GmshReader::read_entity(std::size_t dimension) {
   const Result<Vertex> tag = text_.integer(kInt32, "the tag of an entity");
   if (!tag) return tl::unexpected(tag.error());
-  const std::size_t bounds = dimension == 0 ? 3 : 6;
+  const std::size_t bounds = dimension == 0 && !is_4_0_ ? 3 : 6;
   Status status = text_.skip_numbers(kFloat64, bounds, "a bound of an entity");
   if (!status) return status;
   const Result<std::size_t> groups = text_.count(kUint64, "the number of physical groups");
@@ -255,10 +275,11 @@ Status GmshReader::read_elements_2() {
 
 Status GmshReader::read_element_block(std::size_t& read) {
   const std::string which = "the dimension and the tag of an entity";
-  const Result<Vertex> dimension = text_.integer(kInt32, which);
+  Result<Vertex> dimension = text_.integer(kInt32, which);
   if (!dimension) return tl::unexpected(dimension.error());
-  const Result<Vertex> entity = text_.integer(kInt32, which);
+  Result<Vertex> entity = text_.integer(kInt32, which);
   if (!entity) return tl::unexpected(entity.error());
+  if (is_4_0_) std::swap(dimension, entity);
   const auto group = groups_.find({*dimension, *entity});
   const Vertex label = group == groups_.end() ? 0 : group->second;
   const Result<const ElementType*> type = read_type();
@@ -266,9 +287,10 @@ Status GmshReader::read_element_block(std::size_t& read) {
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
-    text_.take(kUint64, one_of_all("", "element", i, *count));
+    const NumberType of_tags = is_4_0_ ? kInt32 : kUint64;
+    text_.take(of_tags, one_of_all("", "element", i, *count));
     if (text_.has_failed()) return text_.failure();
-    if (Status vertices = read_vertices(**type, kUint64, label); !vertices) return vertices;
+    if (Status vertices = read_vertices(**type, of_tags, label); !vertices) return vertices;
   }
   read += *count;
   return {};
@@ -280,7 +302,10 @@ Status GmshReader::read_elements_4() {
   if (!blocks) return tl::unexpected(blocks.error());
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements");
   if (!count) return tl::unexpected(count.error());
-  Status status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of elements");
+  Status status;
+  if (!is_4_0_) {
+    status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of elements");
+  }
   std::size_t read = 0;
   for (std::size_t i = 0; status && i < *blocks; ++i) status = read_element_block(read);
   if (!status || read == *count) return status;
@@ -401,30 +426,6 @@ bool is_gmsh_keyword(std::string_view token) { return token == "$MeshFormat" || 
 
 Result<ElementFile> read_gmsh(const Source& source, NumberReading reading) {
   return GmshReader(source, reading).read();
-}
-
-void write_gmsh(std::ostream& out, const ElementFile& file) {
-  const PointRows& points = file.points.points;
-  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(points.size()) + "\n";
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    out << std::to_string(i + 1) + " " + joined(points[i]) +
-               (points[i].size() == 2 ? " 0\n" : "\n");
-  }
-  const std::array<std::pair<const SimplexFile*, const char*>, 3> lists = {
-      {{&file.edges, " 1 2 "}, {&file.triangles, " 2 2 "}, {&file.tetrahedra, " 4 2 "}}};
-  std::size_t count = 0;
-  for (const auto& list : lists) count += list.first->simplices.size();
-  out << "$EndNodes\n$Elements\n" + std::to_string(count) + "\n";
-  std::size_t tag = 0;
-  for (const auto& [list, type] : lists) {
-    for (std::size_t i = 0; i < list->simplices.size(); ++i) {
-      Simplex vertices = list->simplices[i];
-      for (Vertex& v : vertices) v = index_of_place(place_of_index(v, file.points.first_index), 1);
-      const std::string group = std::to_string(list->labels.empty() ? 0 : list->labels[i]);
-      out << std::to_string(++tag) + type + group + " 1 " + joined(vertices) + "\n";
-    }
-  }
-  out << "$EndElements\n";
 }
 
 }  // namespace circumspect::formats

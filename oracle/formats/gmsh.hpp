@@ -1,10 +1,10 @@
-// Meshes as Gmsh writes them, in text or binary of either byte order: .msh, version 2 and 4.1.
+// Meshes as Gmsh writes them, in text or binary of either byte order: .msh, version 2 and 4.
 //
 //     $MeshFormat                                 version, 0 (text) or 1 (binary), 8
 //     $Nodes                                      each has a tag of its own, in any order
 //     $Elements                                   of all dimensions; the (first) physical group of
 //                                                 each is its label, 0 if it is in none
-//     $Entities                                   of version 4.1: the physical groups of each
+//     $Entities                                   of version 4: the physical groups of each
 //     $PhysicalNames, $NodeData, …                other sections are skipped
 //
 // Lines outside the sections are skipped, with a note. Numbers follow one another, wherever lines

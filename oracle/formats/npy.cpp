@@ -184,8 +184,8 @@ constexpr std::size_t kSizeOfEnd = 22, kLongestComment = 0xffff;
 
 // How large an array may be: so many bytes in any case, and more for each byte of the archive. zlib
 // compresses data by a factor of up to 1032, but not the numbers of meshes.
-constexpr std::size_t kSmallArray = 1'000'000;
-constexpr std::size_t kLargestGrowth = 100;
+constexpr std::size_t kSmallEntry = 1'000'000;
+constexpr std::size_t kLargestGrowthOfEntry = 100;
 
 // What an archive says about a file in it.
 struct ZipEntry {
@@ -295,7 +295,7 @@ Result<Source> array_of_npz(const Source& archive, std::string_view name) {
   if (wanted->size == 0xffffffff || wanted->packed_size == 0xffffffff) {
     return fail(path, "less than 4 GiB (numpy.save writes larger arrays)", "more");
   }
-  const std::size_t most = kSmallArray + kLargestGrowth * archive.text.size();
+  const std::size_t most = kSmallEntry + kLargestGrowthOfEntry * archive.text.size();
   if (wanted->size > most) {
     return fail(path,
                 "at most " + std::to_string(most) + " bytes in an archive of " +

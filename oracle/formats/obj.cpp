@@ -40,6 +40,11 @@ Source with_lines_joined(const Source& source) {
   return joined;
 }
 
+bool is_nan(std::string_view token) {
+  if (token.starts_with('-')) token.remove_prefix(1);
+  return token == "nan" || token == "NaN";
+}
+
 class ObjReader {
  public:
   ObjReader(const Source& source, NumberReading reading) : lines_(source), reading_(reading) {}
@@ -79,7 +84,12 @@ class ObjReader {
     const Status point = lines_.add_numbers(1, columns, reading_, file_.points.points);
     if (!point) return point;
     if (is_of_plane_) file_.points.points.add(0);
-    return lines_.check_numbers(1 + columns, coordinates - columns, reading_);
+    for (std::size_t column = 1 + columns; column < lines_.size(); ++column) {
+      // A weight or a colour, which nobody may have set.
+      if (is_nan(lines_.tokens()[column])) continue;
+      if (Status number = lines_.check_numbers(column, 1, reading_); !number) return number;
+    }
+    return {};
   }
 
   // The index of a point: 7, 7/1, 7//2, 7/1/2; from −1 on those before this line, backwards.

@@ -239,6 +239,27 @@ Status read_faces(PlyRows& rows, const PlyElement& element, std::size_t place, S
   });
 }
 
+// A strip joins each vertex to the two before it, and -1 ends it. Every second triangle is listed
+// with its first two vertices exchanged, so that all are turned alike.
+Status read_strips(PlyRows& rows, const PlyElement& element, std::size_t place,
+                   SimplexFile& faces) {
+  SimplexFile strips;
+  if (Status read = read_faces(rows, element, place, strips); !read) return read;
+  for (std::size_t i = 0; i < strips.simplices.size(); ++i) {
+    const Simplex strip = strips.simplices[i];
+    std::size_t begin = 0;
+    for (std::size_t j = 0; j < strip.size(); ++j) {
+      if (strip[j] < 0) begin = j + 1;
+      if (j < begin + 2) continue;
+      const bool is_even = (j - begin) % 2 == 0;
+      faces.simplices.push_back(
+          Simplex{strip[is_even ? j - 2 : j - 1], strip[is_even ? j - 1 : j - 2], strip[j]});
+      faces.lines.push_back(strips.lines[i]);
+    }
+  }
+  return {};
+}
+
 // The list of vertices among the properties of a face.
 std::optional<std::size_t> corners_of(const PlyElement& element) {
   const auto indices = element.find("vertex_indices", true);
@@ -256,11 +277,11 @@ Status check_header(const Lines& lines, const PlyHeader& header, bool wants_face
                           has_points ? "two elements" : "another element vertex");
       }
       has_points = true;
-    } else if (element.name == "face") {
+    } else if (element.name == "face" || element.name == "tristrips") {
       const auto place = corners_of(element);
       if (has_faces || !place || element.properties[*place].type.kind == Kind::kFloating) {
-        return lines.fail("one element face with a list of integers vertex_indices",
-                          has_faces ? "two elements" : "another element face");
+        return lines.fail("one element face, or tristrips, with a list of integers vertex_indices",
+                          has_faces ? "two elements" : "another element " + element.name);
       }
       has_faces = true;
     }
@@ -279,6 +300,8 @@ Result<PlyFile> read_ply_body(PlyRows& rows, const PlyHeader& header) {
       status = read_points(rows, element, file.points.points);
     } else if (element.name == "face") {
       status = read_faces(rows, element, *corners_of(element), file.faces);
+    } else if (element.name == "tristrips") {
+      status = read_strips(rows, element, *corners_of(element), file.faces);
     } else {
       status = for_each_row(rows, element, [](std::size_t) -> Result<bool> { return false; });
     }

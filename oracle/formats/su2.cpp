@@ -147,7 +147,10 @@ Status Su2Reader::read_elements(const std::string& noun) {
   const Result<std::size_t> elements = count("the number of elements");
   if (!elements) return tl::unexpected(elements.error());
   for (std::size_t i = 0; i < *elements; ++i) {
-    if (!lines_.next()) {
+    bool is_there = lines_.next();
+    // Vertices that a zone or a processor sends to another one, and from which side.
+    if (i == 0 && is_there && lines_.tokens()[0].starts_with("SEND_TO=")) is_there = lines_.next();
+    if (!is_there) {
       return lines_.fail_at(
           0, noun + " " + std::to_string(i + 1) + " of " + std::to_string(*elements));
     }

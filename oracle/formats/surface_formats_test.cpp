@@ -246,6 +246,21 @@ TEST_CASE("ply: a cloud of points, and a surface as elements") {
             .to_string() == "f:5: expected an element vertex, found no element vertex");
 }
 
+TEST_CASE("ply: strips of triangles, each turned as the first") {
+  const auto with_strips = [](const std::string& strips) {
+    return read_ply_elements(
+        {"f",
+         "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+         "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+         "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 0 0\n2 1 0\n" +
+             strips},
+        kDouble);
+  };
+  CHECK(with_strips("9 0 1 2 3 -1 4 5 3 -1\n")->triangles.simplices ==
+        std::vector<Simplex>{{0, 1, 2}, {2, 1, 3}, {4, 5, 3}});
+  CHECK(with_strips("5 -1 0 1 -1 2\n")->triangles.simplices.empty());
+}
+
 TEST_CASE("ply: what is refused") {
   const auto with = [](const std::string& body) {
     return error_of(ply("ply\nformat ascii 1.0\n" + body));
@@ -337,6 +352,8 @@ TEST_CASE("obj: what is refused") {
         "f:2: expected 2 coordinates, as of the points before, found 3");
   CHECK(error_of(obj("v 0 0 inf\n")) == "f:1: expected a finite number, found \"inf\"");
   CHECK(error_of(obj("v 0 0 0 red\n")) == "f:1: expected a finite number, found \"red\"");
+  CHECK(error_of(obj("v 0 0 nan 1 1 1\n")) == "f:1: expected a finite number, found \"nan\"");
+  CHECK(error_of(obj("v 0 0 0 nan -nan NaN\nf\n")).starts_with("f:2:"));  // colours
   CHECK(error_of(obj("v 0 0 \\\n\\\n x\nv 0 0 y\n")) ==
         "f:1: expected a finite number, found \"x\"");
   CHECK(error_of(obj("v 0 0 \\\n\\\n 0\nv 0 0 y\n")) ==

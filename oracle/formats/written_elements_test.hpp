@@ -144,6 +144,32 @@ inline std::string gmsh_4(const WrittenMesh& mesh, std::optional<ByteOrder> bina
   return out.word("\n$EndElements\n").text;
 }
 
+// The same in the version before: tags of entities before dimensions, each node behind its tag.
+inline std::string gmsh_4_0(const WrittenMesh& mesh, std::optional<ByteOrder> binary) {
+  NumberWriter out(binary);
+  const std::size_t count = mesh.points.size();
+  const std::string line = binary ? "" : "\n";
+  out.word(gmsh_header("4", binary) + "$Nodes\n").integer(2, 8).integer(count, 8).word(line);
+  const auto block = [&](std::size_t begin, std::size_t end, std::size_t parameters) {
+    out.integer(5, 4).integer(parameters, 4).integer(parameters, 4).integer(end - begin, 8);
+    for (std::size_t i = begin; i < end; ++i) {
+      out.word(line).integer(i + 1, 4);
+      for (const double x : mesh.points[i]) out.number(x);
+      for (std::size_t j = 0; j < parameters; ++j) out.number(0.25);
+    }
+    out.word(line);
+  };
+  block(count / 2, count, 1);
+  block(0, count / 2, 0);
+  out.word("\n$EndNodes\n$Elements\n").integer(mesh.cells.size(), 8).integer(mesh.cells.size(), 8);
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    out.word(line).integer(1, 4).integer(3, 4).integer(gmsh_type(mesh.cells[i].size()), 4);
+    out.integer(1, 8).word(line).integer(i + 1, 4);
+    for (const int v : mesh.cells[i]) out.integer(static_cast<std::size_t>(v) + 1, 4);
+  }
+  return out.word("\n$EndElements\n").text;
+}
+
 inline std::size_t vtk_type(std::size_t vertices) {
   return vertices == 2 ? 3 : vertices == 3 ? 5 : 10;
 }
@@ -350,6 +376,9 @@ inline std::vector<WrittenForm> all_forms(const WrittenMesh& mesh) {
           {"gmsh 2.2", ".msh", true, gmsh_2(mesh, {})},
           {"gmsh 2.2, little-endian", ".msh", true, gmsh_2(mesh, kLittleEndian)},
           {"gmsh 2.2, big-endian", ".msh", true, gmsh_2(mesh, kBigEndian)},
+          {"gmsh 4.0", ".msh", true, gmsh_4_0(mesh, {})},
+          {"gmsh 4.0, little-endian", ".msh", true, gmsh_4_0(mesh, kLittleEndian)},
+          {"gmsh 4.0, big-endian", ".msh", true, gmsh_4_0(mesh, kBigEndian)},
           {"gmsh 4.1", ".msh", true, gmsh_4(mesh, {})},
           {"gmsh 4.1, little-endian", ".msh", true, gmsh_4(mesh, kLittleEndian)},
           {"gmsh 4.1, big-endian", ".msh", true, gmsh_4(mesh, kBigEndian)},

@@ -70,8 +70,14 @@ class Searched {
       if (!faults || !faults->simplices_are_sound()) return false;
     }
     take_signs(*faults);
-    if (!leave_out(view, *faults)) return false;
-    return take_facets(view, *faults);
+    if (!faults->facets_match()) {
+      auto links = fast::matched_facets(view, threads_);
+      if (!links) return false;
+      faults->links = std::move(*links);
+    }
+    leave_out(view, *faults, faults->links);
+    take_facets(view, faults->links);
+    return true;
   }
 
   std::vector<Duplicate> equal = {};
@@ -161,60 +167,56 @@ class Searched {
     return found;
   }
 
-  static std::vector<fast::FacetId> boundary(const fast::OwnedLinks& links) {
+  // The facets that are in one simplex only, of those that are not left out.
+  static std::vector<fast::FacetId> boundary(const fast::OwnedLinks& links,
+                                             const std::vector<bool>& is_left_out) {
     std::vector<fast::FacetId> facets;
     for (std::size_t i = 0; i < links.count; ++i) {
-      if (links.view()[i] < 0) facets.emplace_back(i / kVertices, i % kVertices);
+      const std::int32_t across = links.view()[i];
+      const bool is_alone = across < 0 || is_left_out[static_cast<std::size_t>(across)];
+      if (is_alone && !is_left_out[i / kVertices])
+        facets.emplace_back(i / kVertices, i % kVertices);
     }
     return facets;
   }
 
-  static Places at_fault(const View& view, const fast::Faults& faults) {
-    Places found = with_faulty_facets(faults);
-    if (!found.empty()) return found;
-    const std::vector<fast::FacetId> facets = boundary(faults.links);
+  // The simplices with which the boundary is at fault.
+  static Places at_fault(const View& view, const std::vector<fast::FacetId>& facets,
+                         const std::vector<bool>& is_left_out) {
     const BoundaryOf<kDimension, Index> around(view, facets);
-    found = around.improper();
+    Places found = around.improper();
     for (std::size_t& place : found) place = facets[place].simplex();
-    return found.empty() ? around.just_outside(around.classes().unsettled) : found;
+    if (!found.empty()) return found;
+    const Places pairs = around.just_outside(around.classes().unsettled);
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+      if (!is_left_out[pairs[i]]) found.insert(found.end(), {pairs[i], pairs[i + 1]});
+    }
+    return found;
   }
 
-  // As left_out_of_complex does.
-  bool leave_out(const View& all, const fast::Faults& of_all) {
+  // As left_out_of_complex does. Without those of faulty facets, all other facets are in one or two
+  // simplices on opposite sides; so it stays if more are left out.
+  void leave_out(const View& all, const fast::Faults& faults, const fast::OwnedLinks& links) {
     constexpr int kRounds = 12;
-    Places rest(all.size()), left_out = at_fault(all, of_all);
-    std::iota(rest.begin(), rest.end(), std::size_t{0});
-    const Places every = rest;
-    for (int round = 1; !left_out.empty(); ++round) {
+    std::vector<bool> is_left_out(all.size(), false);
+    Places left_out = with_faulty_facets(faults);
+    for (int round = 1;; ++round) {
       make_set(left_out);
       if (round == kRounds || 2 * left_out.size() > all.size()) {
-        left_out = every;
+        left_out.resize(all.size());
+        std::iota(left_out.begin(), left_out.end(), std::size_t{0});
         break;
       }
-      rest.clear();
-      std::set_difference(every.begin(), every.end(), left_out.begin(), left_out.end(),
-                          std::back_inserter(rest));
-      const Chosen<kDimension, Index> chosen(all, rest);
-      const auto faults = fast::faults(chosen.view, fast::Question::kTriangulation, threads_);
-      if (!faults) return false;
-      const Places more = at_fault(chosen.view, *faults);
+      for (const std::size_t s : left_out) is_left_out[s] = true;
+      const Places more = at_fault(all, boundary(links, is_left_out), is_left_out);
       if (more.empty()) break;
-      for (const std::size_t place : more) left_out.push_back(rest[place]);
+      left_out.insert(left_out.end(), more.begin(), more.end());
     }
     for (const std::size_t place : left_out) improper.push_back(compared[place]);
-    return true;
   }
 
   // What facets say of all that are compared.
-  bool take_facets(const View& view, const fast::Faults& faults) {
-    fast::OwnedLinks matched;
-    const bool are_known = faults.facets_match();
-    if (!are_known) {
-      auto links = fast::matched_facets(view, threads_);
-      if (!links) return false;
-      matched = std::move(*links);
-    }
-    const fast::OwnedLinks& links = are_known ? faults.links : matched;
+  void take_facets(const View& view, const fast::OwnedLinks& links) {
     std::vector<bool> is_overused(links.overused.empty() ? 0 : links.count, false);
     DisjointSets joined(view.size());
     for (const auto& group : links.overused) {
@@ -236,7 +238,6 @@ class Searched {
       part_of.push_back(joined.find(s));
       parts += part_of.back() == s ? 1 : 0;
     }
-    return true;
   }
 
   const View& listed_;

@@ -14,10 +14,11 @@ namespace circumspect::check {
 namespace {
 
 using Triangles = std::vector<std::array<std::int32_t, 3>>;
+constexpr std::size_t kMostPoints = std::size_t{1} << 30;
 
 // Nothing if one has not three different vertices, or if a point has no triangle.
 std::optional<Triangles> triangles_of(const Mesh& mesh) {
-  if (mesh.points() > std::size_t{1} << 30) return std::nullopt;
+  if (mesh.points() > kMostPoints) return std::nullopt;
   std::vector<bool> is_used(mesh.points(), false);
   Triangles triangles;
   triangles.reserve(mesh.simplices.size());
@@ -102,6 +103,22 @@ std::optional<Verdict> held_surface(const Mesh& mesh, const ComplexDemands& dema
   verdict.complex = facts;
   verdict.course = {true, "", 0, 0};
   return verdict;
+}
+
+ImproperAmong improper_of_surface(const Mesh& mesh) {
+  const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
+  if (doubles == nullptr || mesh.dimension() != 3 || mesh.points() > kMostPoints) return {};
+  return
+      [doubles](const std::vector<Simplex>& simplices) -> std::optional<std::vector<std::size_t>> {
+        Triangles triangles;
+        triangles.reserve(simplices.size());
+        for (const Simplex& simplex : simplices) {
+          if (simplex.size() != 3) return std::nullopt;
+          auto& triangle = triangles.emplace_back();
+          for (std::size_t i = 0; i < 3; ++i) triangle[i] = static_cast<std::int32_t>(simplex[i]);
+        }
+        return fast::improper_triangles(doubles->values(), triangles);
+      };
 }
 
 }  // namespace circumspect::check

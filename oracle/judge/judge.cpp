@@ -129,7 +129,7 @@ Verdict judged_as_complex(const Mesh& mesh, const Options& options) {
     if (surface) return std::move(*surface);
   }
   return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
-                       by_definition, options.max_violations);
+                       by_definition, options.max_violations, improper_of_surface(mesh));
 }
 
 using VerdictOrEqualPoints = tl::expected<Verdict, EqualPoints>;

@@ -145,6 +145,8 @@ struct ComplexFacts {
   // along different diagonals; and whether vertices hang only in simplices of other parts.
   std::size_t crossed_quadrilaterals = 0;
   bool only_parts_hang = false;
+  // How many pairs of simplices of different parts overlap, and of how many pairs of parts.
+  std::size_t overlaps_of_parts = 0, overlapping_parts = 0;
   // How many have each sign of det[p_1 − p_0; …; p_d − p_0]; none if they have no full dimension.
   std::size_t positive = 0, negative = 0;
 };

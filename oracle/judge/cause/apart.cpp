@@ -1,4 +1,5 @@
-// Parts that were meshed apart: equal points, hanging vertices, and diagonals that cross.
+// Parts that were meshed apart: equal points, hanging vertices, diagonals that cross, parts that
+// lie in each other; and points of no part.
 #include <algorithm>
 #include <set>
 #include <vector>
@@ -144,6 +145,37 @@ std::optional<Cause> crossed_diagonals(Case& of) {
     return of_listed(of, "crossed-diagonals", words, BrokenAt(*alone, Rule::kFacesCross));
   }
   return of.cause("crossed-diagonals", words, count);
+}
+
+std::optional<Cause> parts_in_each_other(Case& of) {
+  if (of.verdict().claim() != Claim::kComplex) return std::nullopt;
+  const ComplexFacts& facts = *of.verdict().complex;
+  const std::size_t overlaps = of.count(Rule::kOverlap);
+  const bool are_all_counted = !facts.are_counts_cut && facts.overlaps_of_parts == overlaps;
+  if (!are_all_counted || facts.overlapping_parts == 0) return std::nullopt;
+  return of.cause("parts-in-each-other",
+                  fmt::format("{} that no facet connects {} each other, and no part overlaps "
+                              "itself",
+                              facts.overlapping_parts == 1
+                                  ? "2 parts"
+                                  : report::counted(facts.overlapping_parts, "pair") + " of parts",
+                              facts.dimension == 2 ? "pass through" : "overlap"),
+                  overlaps);
+}
+
+std::optional<Cause> unused_points(Case& of) {
+  // If indices name no points, others are left over.
+  if (of.verdict().claim() != Claim::kComplex || of.breaks(Rule::kUnknownVertex)) {
+    return std::nullopt;
+  }
+  const std::size_t count = of.count(Rule::kUnusedPoint);
+  return of.cause("unused-points",
+                  fmt::format("{} {} in no {}: --allow-unused lets {} pass{}",
+                              report::counted(count, "point"), count == 1 ? "is" : "are",
+                              report::simplices_noun(of.verdict().complex->dimension, 1),
+                              count == 1 ? "it" : "them",
+                              count == of.violations() ? ", and the claim holds" : ""),
+                  count);
 }
 
 }  // namespace circumspect::check

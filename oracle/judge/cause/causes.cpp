@@ -28,6 +28,7 @@ const std::vector<Row>& rows() {
       {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
         Rule::kUnusedPoint, Rule::kDomainVertexMissing, Rule::kSegmentMissing},
        missing_simplices},
+      {{Rule::kUnusedPoint}, unused_points},
       {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
         Rule::kFacesCross, Rule::kOverlap},
        crossed_diagonals},
@@ -40,6 +41,7 @@ const std::vector<Row>& rows() {
       {{Rule::kOverlap, Rule::kDegenerateSimplex, Rule::kHullNotConvex, Rule::kHullNotClosed,
         Rule::kCoveredTwice, Rule::kFacetNotLocal, Rule::kVertexInBall},
        one_vertex},
+      {{Rule::kOverlap}, parts_in_each_other},
   };
   return kRows;
 }

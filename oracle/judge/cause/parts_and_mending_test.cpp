@@ -100,6 +100,68 @@ TEST_CASE("causes: what is left when one is mended is counted and not explained"
   CHECK(cause.explains + 2 == cause.of);
 }
 
+TEST_CASE("causes: points that no simplex uses") {
+  Lists arcs = grid<2>(7);
+  arcs.points.push_back({9, 9});  // as the centre of an arc
+  CHECK(
+      named(arcs, Claim::kComplex) ==
+      "unused-points: 1 point is in no triangle: --allow-unused lets it pass, and the claim holds");
+  arcs.points.push_back({10, 9});
+  CHECK(named(arcs, Claim::kComplex) ==
+        "unused-points: 2 points are in no triangle: --allow-unused lets them pass, and the claim "
+        "holds");
+  CHECK(named(arcs, Claim::kTriangulation).find("--allow-unused") == std::string::npos);
+  arcs.simplices.push_back(arcs.simplices.front());
+  CHECK(explained(arcs, Claim::kComplex, "unused-points") == std::pair{2UL, 3UL});
+  // If all that is unused is so since indices begin at 1, that is the cause.
+  Lists later = grid<2>(7);
+  for (Simplex& simplex : later.simplices) {
+    for (Vertex& v : simplex) ++v;
+  }
+  CHECK(explained(later, Claim::kComplex, "unused-points").first == 0);
+}
+
+// Two squares of triangles in space, the second one turned into a plane across the first.
+Lists two_sheets(const Rational& height) {
+  const Lists square = grid<2>(4);
+  Lists both;
+  for (const Point& p : square.points) both.points.push_back({p[0], p[1], 0});
+  for (const Point& p : square.points) {
+    both.points.push_back({p[0] + Rational(1, 3), Rational(4, 3), p[1] + height});
+  }
+  both.simplices = square.simplices;
+  for (Simplex simplex : square.simplices) {
+    for (Vertex& v : simplex) v += std::ssize(square.points);
+    both.simplices.push_back(std::move(simplex));
+  }
+  return both;
+}
+
+TEST_CASE("causes: parts that pass through each other") {
+  CHECK(causes_of(two_sheets(1), Claim::kComplex).empty());
+  Lists crossing = two_sheets(Rational(-4, 3));
+  const std::string words =
+      "parts-in-each-other: 2 parts that no facet connects pass through each other, and no part "
+      "overlaps itself";
+  CHECK(named(crossing, Claim::kComplex) == words);
+  // A part that passes through itself is another matter.
+  crossing.points[0] = {Rational(3, 2), Rational(3, 2), 0};
+  CHECK(explained(crossing, Claim::kComplex, "parts-in-each-other").first == 0);
+  Lists solids = grid<3>(3);
+  const Lists one = solids;
+  for (Point p : one.points) {
+    for (Rational& x : p) x += Rational(1, 3);
+    solids.points.push_back(std::move(p));
+  }
+  for (Simplex simplex : one.simplices) {
+    for (Vertex& v : simplex) v += std::ssize(one.points);
+    solids.simplices.push_back(std::move(simplex));
+  }
+  CHECK(named(solids, Claim::kComplex) ==
+        "parts-in-each-other: 2 parts that no facet connects overlap each other, and no part "
+        "overlaps itself");
+}
+
 TEST_CASE("causes: parts that were meshed apart") {
   // In the plane their vertices differ where they meet.
   Lists plane = grid<2>(7);

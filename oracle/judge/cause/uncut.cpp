@@ -52,14 +52,22 @@ Rational squared_distance_to(const Mesh& mesh, Vertex vertex, const Simplex& fac
   return height * height / squared_length(normal);
 }
 
+// In which faces of the mesh the vertices lie that a facet was cut at.
+using Carriers = std::map<Vertex, Simplex>;
+
 // Facets modulo two: one that is put in again goes.
 class Chain {
  public:
   explicit Chain(const Mesh& mesh) : mesh_(mesh) {}
 
-  void put(const Simplex& facet) {
+  void put(const Simplex& facet, const Carriers& carriers = {}) {
     const bool is_new = facets_.insert(facet).second;
     if (!is_new) facets_.erase(facet);
+    if (is_new && !carriers.empty()) {
+      carriers_[facet] = carriers;
+    } else {
+      carriers_.erase(facet);
+    }
     for (const Vertex v : facet) {
       if (is_new) {
         at_[v].insert(facet);
@@ -70,6 +78,10 @@ class Chain {
   }
   bool has(const Simplex& facet) const { return facets_.contains(facet); }
   const std::set<Simplex>& facets() const { return facets_; }
+  Carriers carriers(const Simplex& facet) const {
+    const auto known = carriers_.find(facet);
+    return known == carriers_.end() ? Carriers() : known->second;
+  }
 
   // Those that have the face.
   std::vector<Simplex> with(const Simplex& face) {
@@ -105,6 +117,7 @@ class Chain {
  private:
   const Mesh& mesh_;
   std::set<Simplex> facets_ = {};
+  std::map<Simplex, Carriers> carriers_ = {};
   std::map<Vertex, std::set<Simplex>> at_ = {};
   std::map<Vertex, Place> places_ = {};
 };
@@ -131,6 +144,20 @@ std::set<Cut> cuts_of(Chain& chain) {
   return found;
 }
 
+// The face of the mesh that a face of a facet is part of.
+Simplex whole(const Simplex& face, const Carriers& carriers) {
+  std::set<Vertex> corners;
+  for (const Vertex v : face) {
+    const auto carrier = carriers.find(v);
+    if (carrier == carriers.end()) {
+      corners.insert(v);
+    } else {
+      corners.insert(carrier->second.begin(), carrier->second.end());
+    }
+  }
+  return {corners.begin(), corners.end()};
+}
+
 // What a facet with the face becomes.
 std::vector<Simplex> pieces_of(const Simplex& facet, const Cut& cut) {
   std::vector<Simplex> pieces;
@@ -155,9 +182,13 @@ std::vector<Uncut> uncut_faces(const Mesh& mesh) {
     for (const Cut& cut : cuts_of(chain)) {
       for (const Simplex& facet : chain.with(cut.second)) {
         if (contains(facet, cut.first)) continue;
+        Carriers carriers = chain.carriers(facet);
+        const Simplex face = whole(cut.second, carriers);
+        carriers[cut.first] = face;
         chain.put(facet);
-        made[cut].push_back(pieces_of(facet, cut));
-        for (const Simplex& piece : made[cut].back()) chain.put(piece);
+        const std::vector<Simplex> pieces = pieces_of(facet, cut);
+        for (const Simplex& piece : pieces) chain.put(piece, carriers);
+        made[{cut.first, face}].push_back(pieces);
         has_more = true;
       }
     }

@@ -42,12 +42,15 @@ TEST_CASE("causes: vertices in the plane that were rounded away from an edge") {
   const Mesh mesh = plane(kOff);
   const std::vector<Uncut> found = uncut_faces(mesh);
   REQUIRE(found.size() == 2);
+  // Both are beside the edge that is listed, though the second is found beside what the first cuts.
+  CHECK(found[0].face == Simplex{0, 1});
+  CHECK(found[1].face == Simplex{0, 1});
   CHECK(found[0].squared_distance == kOff * kOff);
+  CHECK(found[1].squared_distance == kOff * kOff / 4);
   const std::vector<Cause> causes = causes_of_complex(mesh);
   REQUIRE(causes.size() == 1);
   CHECK(causes[0].name == "hanging-vertices-rounded");
-  // The overlap of the part between the second vertex and the end names no whole face that is cut.
-  CHECK(causes[0].explains == 2);
+  CHECK(causes[0].explains == 3);
   CHECK(causes[0].of == 3);
   CHECK(causes[0].words ==
         "2 vertices lie beside faces of simplices that are not cut there, at most ~ "

@@ -121,7 +121,8 @@ Findings findings_by_definition(const ListedComplex& listed, const ComplexDemand
   return found;
 }
 
-Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& demands) {
+Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& demands,
+                           const ImproperAmong& improper_among) {
   Findings found;
   const std::size_t size = size_of_simplices(listed);
   const Configuration points(listed.points);
@@ -131,7 +132,11 @@ Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& de
   const bool is_full = size == dimension(listed) + 1;
   std::vector<std::size_t> among(simplices.size());
   std::iota(among.begin(), among.end(), std::size_t{0});
-  if (is_full) among = left_out_of_complex(points, listed.points, simplices);
+  if (is_full) {
+    among = left_out_of_complex(points, listed.points, simplices);
+  } else if (improper_among) {
+    if (auto known = improper_among(simplices)) among = *std::move(known);
+  }
   if (!among.empty()) found.improper = improper_pairs(points, listed, found.apart, among);
   found.open_facets = open_facets(uses);
   found.boundary_facets = found.open_facets.size();

@@ -1,6 +1,8 @@
 // What is found out of a mesh alone, by definition and by lemma.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "oracle/judge/definition/complex.hpp"
@@ -32,7 +34,12 @@ definition::SetApart sorted_apart(const definition::ListedComplex& listed,
 // Requires: `manifold` is demanded of at most four vertices each.
 Findings findings_by_definition(const definition::ListedComplex& listed,
                                 const ComplexDemands& demands);
-Findings findings_by_lemma(const definition::ListedComplex& listed, const ComplexDemands& demands);
+// Of simplices without equal vertices that are not flat, the places of those that do not meet
+// another as they should; nothing if it cannot tell. It may be empty.
+using ImproperAmong =
+    std::function<std::optional<std::vector<std::size_t>>(const std::vector<Simplex>&)>;
+Findings findings_by_lemma(const definition::ListedComplex& listed, const ComplexDemands& demands,
+                           const ImproperAmong& improper_among = {});
 
 // Of a part of a mesh, for which it is known who is in a pair that does not meet as it should: only
 // among simplices that `may_be_improper` says yes of, by their places in the list. What facets say,

@@ -1,6 +1,7 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -109,11 +110,7 @@ class Said {
   bool only_parts_hang() {
     const auto parts_with = [&](const Simplex& face) {
       std::set<std::size_t> parts;
-      for (const std::size_t s : all_with(face)) {
-        const auto& compared = found_.apart.compared;
-        const auto place = std::lower_bound(compared.begin(), compared.end(), s);
-        parts.insert(found_.part_of[static_cast<std::size_t>(place - compared.begin())]);
-      }
+      for (const std::size_t s : all_with(face)) parts.insert(part_of(s));
       return parts;
     };
     for (const auto& [vertex, face] : found_.improper.hanging) {
@@ -123,6 +120,18 @@ class Said {
       }
     }
     return !found_.improper.hanging.empty();
+  }
+
+  // Counts what overlaps of different parts.
+  void overlaps_of_parts(ComplexFacts& facts) const {
+    std::set<std::array<std::size_t, 2>> pairs;
+    for (const auto& [i, j] : found_.improper.overlaps) {
+      const std::size_t one = part_of(i), other = part_of(j);
+      if (one == other) continue;
+      ++facts.overlaps_of_parts;
+      pairs.insert({std::min(one, other), std::max(one, other)});
+    }
+    facts.overlapping_parts = pairs.size();
   }
 
   void boundary(const ComplexDemands& demands) {
@@ -139,6 +148,12 @@ class Said {
   }
 
  private:
+  // Requires: the simplex is compared.
+  std::size_t part_of(std::size_t s) const {
+    const auto& compared = found_.apart.compared;
+    const auto place = std::lower_bound(compared.begin(), compared.end(), s);
+    return found_.part_of[static_cast<std::size_t>(place - compared.begin())];
+  }
   const Point& point(Vertex v) const { return listed_.points[static_cast<std::size_t>(v)]; }
   const Simplex& merged(std::size_t s) const { return found_.apart.merged[s]; }
 
@@ -295,11 +310,11 @@ void add_findings(const ListedComplex& listed, const Findings& found, const Comp
 }
 
 Verdict judge_complex(const ListedComplex& listed, const ComplexDemands& demands,
-                      bool by_definition, std::size_t max_violations) {
-  return verdict_of_findings(
-      listed,
-      by_definition ? findings_by_definition(listed, demands) : findings_by_lemma(listed, demands),
-      demands, max_violations);
+                      bool by_definition, std::size_t max_violations, const ImproperAmong& among) {
+  return verdict_of_findings(listed,
+                             by_definition ? findings_by_definition(listed, demands)
+                                           : findings_by_lemma(listed, demands, among),
+                             demands, max_violations);
 }
 
 Verdict verdict_of_findings(const ListedComplex& listed, const Findings& found,
@@ -316,6 +331,7 @@ Verdict verdict_of_findings(const ListedComplex& listed, const Findings& found,
   verdict.complex = facts_of(found, demands, size);
   verdict.complex->crossed_quadrilaterals = crossed_quadrilaterals(found);
   verdict.complex->only_parts_hang = said.only_parts_hang();
+  said.overlaps_of_parts(*verdict.complex);
   return verdict;
 }
 

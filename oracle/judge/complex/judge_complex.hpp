@@ -23,7 +23,8 @@ void add_findings(const definition::ListedComplex& listed, const Findings& found
 
 // The answer is the same by definition and by lemma, but for the time that it takes.
 Verdict judge_complex(const definition::ListedComplex& listed, const ComplexDemands& demands,
-                      bool by_definition, std::size_t max_violations);
+                      bool by_definition, std::size_t max_violations,
+                      const ImproperAmong& among = {});
 
 // The verdict that these findings are, of a list of simplices or of a part of one.
 Verdict verdict_of_findings(const definition::ListedComplex& listed, const Findings& found,

@@ -138,6 +138,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
       .ties = std::move(swept.ties),
       .not_canonical = std::move(swept.not_canonical),
       .oriented = sweep.orientations().are_equal(),
+      .positive = sweep.orientations().positive(mesh.size()),
       .uses_all_points = sweep.unused().empty(),
       .stages = swept.stages};
   if (wanted.hull) {

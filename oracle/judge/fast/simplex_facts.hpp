@@ -26,7 +26,8 @@ struct SimplexFacts {
   std::vector<FacetId> not_local = {};
   std::vector<FacetId> ties = {};
   std::vector<FacetId> not_canonical = {};
-  bool oriented = true;  // all simplices alike
+  bool oriented = true;      // all simplices alike
+  std::size_t positive = 0;  // how many are positively oriented
   bool uses_all_points = true;
   // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2
   // and 3 of docs/theory/points.md.)

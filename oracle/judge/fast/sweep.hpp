@@ -38,6 +38,12 @@ class Orientations {
     if (all_ != 0) return all_;
     return (negative_[s / 64] >> (s % 64) & 1) != 0 ? -1 : 1;
   }
+  // How many of so many simplices are positively oriented.
+  std::size_t positive(std::size_t size) const {
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < size; ++s) count += of(s) > 0 ? 1 : 0;
+    return count;
+  }
 
  private:
   int all_;
