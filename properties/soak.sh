@@ -34,8 +34,8 @@ minutes=${2:-30}
 minutes=$((10#$minutes))
 processors=$(nproc)
 
-# One line a test: its seconds at most, its name, its command, separated by tabs. The limits of ctest are for a quarter of the
-# inputs (CIRCUMSPECT_ONE_INPUT_IN), here all are tried.
+# One line a test: its seconds at most, its name, its command, separated by tabs. The limits of
+# ctest are for a quarter of the inputs (CIRCUMSPECT_ONE_INPUT_IN); here all are tried.
 list_tests() {
   ctest --test-dir "$build" --show-only=json-v1 -L '^(property|soak)$' | python3 -c '
 import json, sys
