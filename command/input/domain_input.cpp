@@ -21,7 +21,7 @@
 namespace circumspect::cli {
 namespace {
 
-// What may be all that the user needs, of an input that is no piecewise linear complex; or empty.
+// What may be all that the user needs, if the input is not a piecewise linear complex; or empty.
 std::string remedy_of(const Breach& breach, std::size_t dimension) {
   if (breach.kind == BreachKind::kDuplicateVertex) {
     return "; to take equal points for one, add --duplicates merge to the command";
