@@ -118,6 +118,41 @@ TEST_CASE("a mesh judged in parts has the verdict of the whole") {
   CHECK(occurs(seen.size(), 3));
 }
 
+// Enough points that most belong to one part alone, which then tells what is wrong there.
+TEST_CASE("every mutation of a larger mesh is told in parts as in the whole") {
+  std::vector<Mutation> all = catalogue();
+  std::erase_if(all, [](const Mutation& one) {
+    return one.needs_weights || one.rules.contains(Rule::kWrongNeighbor);
+  });
+  std::map<std::string, std::size_t> seen;
+  CHECK(holds("on doubles", 60, [&] {
+    properties::Dice dice(static_cast<std::uint64_t>(*generators::below(1'000'000'000)));
+    const std::size_t d = 2 + dice.below(2);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 30; ++i) {
+      Point& point = points.emplace_back();
+      for (std::size_t axis = 0; axis < d; ++axis) {
+        point.push_back(static_cast<long>(dice.below(axis == 0 ? 1000 : 10)));
+      }
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const PointSet set(points);
+    ArrayMesh mesh = array_mesh(set, delaunay::bowyer_watson(set).simplices());
+    list_neighbors(mesh);
+    const Mutation& mutation = all[dice.below(all.size())];
+    const ArrayMesh before = mesh;
+    if (!mutation.apply(mesh, dice)) mesh = before;
+    const Claim claim = dice.below(4) == 0 ? Claim::kTriangulation : Claim::kDelaunay;
+    const check::Options options{.max_violations = 1 + dice.below(20)};
+    const std::string whole = said_by_one(claim, mesh, options);
+    RC_LOG() << whole;
+    RC_ASSERT(said_in_turns(claim, mesh, Way::kAlongALine, dice, options, 5) == whole);
+    ++seen[whole.substr(0, whole.find_first_of(": "))];
+  }));
+  CHECK(occurs(seen.size(), 3));
+}
+
 // A corner at the origin, one along each axis, and one beyond them; and a point of the first
 // simplex that is not a vertex, of the weight with which it comes to lie in the witness plane.
 ArrayMesh with_submerged_tie(const std::vector<double>& point) {

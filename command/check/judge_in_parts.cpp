@@ -95,8 +95,11 @@ tl::expected<JudgedInParts, NotJudged> judge_in_parts(Claim claim, const std::st
                             "parts, found {}M",
                             needed, mesh, kMostParts, memory / kMega));
   }
-  // What is given back is given back to the system, so that other parts have it.
-  mallopt(M_MMAP_THRESHOLD, static_cast<int>(kMega / 4));
+  // What a part gives back is there for the others, and if it is much, it goes back to the system.
+  // Memory that goes back and forth costs more time than anything that is done with it.
+  mallopt(M_ARENA_MAX, 1);
+  mallopt(M_MMAP_THRESHOLD, static_cast<int>(std::min(usable / 64, 32 * kMega)));
+  mallopt(M_TRIM_THRESHOLD, static_cast<int>(std::min(usable / 8, 1024 * kMega)));
   const distributed::Turns turns{.parts = static_cast<std::size_t>(parts),
                                  .at_once = static_cast<std::size_t>(threads),
                                  .room = static_cast<std::size_t>(usable / 4),

@@ -40,7 +40,7 @@ class VertexSets {
     entries_.resize(begins_.back());
     std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
     each([&](Set set, std::int32_t origin) {
-      std::sort(set.begin(), set.end());
+      sort(set);
       Entry& entry = entries_[next[static_cast<std::size_t>(set.front())]++];
       std::copy(set.begin() + 1, set.end(), entry.others.begin());
       entry.origin = origin;
@@ -78,6 +78,17 @@ class VertexSets {
   }
 
  private:
+  // By odd-even transposition, since branches would be unpredictable.
+  static void sort(Set& set) {
+    for (std::size_t round = 0; round < kSize; ++round) {
+      for (std::size_t i = round % 2; i + 1 < kSize; i += 2) {
+        const std::int32_t low = std::min(set[i], set[i + 1]);
+        set[i + 1] = std::max(set[i], set[i + 1]);
+        set[i] = low;
+      }
+    }
+  }
+
   std::vector<std::uint32_t> begins_;  // of the sets with each least vertex
   std::vector<Entry> entries_;
 };

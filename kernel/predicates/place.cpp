@@ -70,6 +70,12 @@ int barycentric_sign(const Configuration& points, std::span<const Vertex> simple
   return barycentric_sign(points, points.axes(), simplex, place, v);
 }
 
+int barycentric_sign(const Configuration& points, std::span<const Vertex> simplex, int own,
+                     std::size_t place, Vertex v) {
+  assert(own != 0);
+  return own * orientation_with(points, points.axes(), simplex, place, v);
+}
+
 std::vector<int> barycentric_signs(const Configuration& points, std::span<const std::size_t> axes,
                                    std::span<const Vertex> simplex, Vertex v) {
   const int own = orientation(points, axes, simplex);

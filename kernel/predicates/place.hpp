@@ -32,6 +32,9 @@ int barycentric_sign(const Configuration& points, std::span<const std::size_t> a
 // Within the affine hull of all points.
 int barycentric_sign(const Configuration& points, std::span<const Vertex> simplex,
                      std::size_t place, Vertex v);
+// The same of a simplex whose orientation, `own`, is known: half of the work.
+int barycentric_sign(const Configuration& points, std::span<const Vertex> simplex, int own,
+                     std::size_t place, Vertex v);
 
 // All of them, in the order of the vertices.
 std::vector<int> barycentric_signs(const Configuration& points, std::span<const std::size_t> axes,

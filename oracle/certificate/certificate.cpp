@@ -14,8 +14,8 @@ namespace circumspect::certificate {
 
 Lines& Lines::operator<<(std::string_view token) {
   if (token.empty()) return *this;
-  if (!at_start_) text_ += ' ';
-  text_ += token;
+  if (!at_start_) append(" ");
+  append(token);
   at_start_ = false;
   return *this;
 }
@@ -26,20 +26,28 @@ Lines& Lines::operator<<(const Integer& number) {
 }
 
 Lines& Lines::gap() {
-  text_ += ' ';
+  append(" ");
   return *this;
 }
 
 void Lines::end_line() {
-  constexpr std::size_t kChunk = 1 << 16;
-  text_ += '\n';
+  append("\n");
   at_start_ = true;
-  if (text_.size() >= kChunk) flush();
+}
+
+void Lines::append(std::string_view text) {
+  if (text.size() > text_.size() - used_) flush();
+  if (text.size() > text_.size()) {
+    out_ << text;
+    return;
+  }
+  std::copy(text.begin(), text.end(), text_.begin() + static_cast<std::ptrdiff_t>(used_));
+  used_ += text.size();
 }
 
 void Lines::flush() {
-  out_ << text_;
-  text_.clear();
+  out_ << std::string_view(text_.data(), used_);
+  used_ = 0;
 }
 
 void write_first_line(Lines& lines, std::string_view kind, Claim claim, std::size_t dimension,

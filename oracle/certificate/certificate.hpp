@@ -34,9 +34,12 @@ class Lines {
   // Any integer of the machine.
   template <std::integral Number>
   Lines& operator<<(Number number) {
-    std::array<char, 24> token = {' '};
-    const auto end = std::to_chars(token.data() + 1, token.data() + token.size(), number).ptr;
-    text_.append(token.data() + (at_start_ ? 1 : 0), end);
+    constexpr std::size_t kLongest = 24;
+    if (text_.size() - used_ < kLongest) flush();
+    char* const to = text_.data() + used_;
+    *to = ' ';
+    const auto end = std::to_chars(to + (at_start_ ? 0 : 1), to + kLongest, number).ptr;
+    used_ = static_cast<std::size_t>(end - text_.data());
     at_start_ = false;
     return *this;
   }
@@ -45,10 +48,12 @@ class Lines {
   void end_line();
 
  private:
+  void append(std::string_view text);
   void flush();
 
   std::ostream& out_;
-  std::string text_;
+  std::vector<char> text_ = std::vector<char>(std::size_t{1} << 16);
+  std::size_t used_ = 0;  // of it
   bool at_start_ = true;
 };
 

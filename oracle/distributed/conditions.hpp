@@ -83,13 +83,12 @@ class FacetMeeting {
                const fast::Orientations& orientations, const BallQuestions& balls)
       : ranks_(ranks), mesh_(mesh), orientations_(orientations), balls_(balls) {}
 
-  // facet_of(i) is facet i of this rank's `count` facets that have to meet. Called by all ranks.
-  template <class FacetOf>
-  FacetFindings run(std::size_t count, const FacetOf& facet_of) {
+  // `facets`: those of this rank that have to meet. Called by all ranks.
+  FacetFindings run(std::span<const std::uint32_t> facets) {
     std::pmr::vector<Pair> pairs;  // the first of each is a facet of this rank
     meet<Pair>(
-        ranks_, count, [&](std::size_t i) { return hash_of(vertices_of(facet_of(i))); },
-        [&](std::size_t i) { return item(facet_of(i)); },
+        ranks_, facets.size(), [&](std::size_t i) { return hash_of(vertices_of(facets[i])); },
+        [&](std::size_t i) { return item(facets[i]); },
         [&](const std::vector<Item>& items, std::span<const std::uint32_t> group,
             Post<Pair>& post) { visit(items, group, post); },
         [&](const Pair& pair) {
@@ -232,62 +231,6 @@ class FacetMeeting {
   FacetFindings found_;
 };
 
-// As fast::FaultyRidge.
-template <std::size_t kDimension>
-struct FaultyRidgeName {
-  std::array<std::int64_t, kDimension - 1> vertices = {};
-  FacetNames facets = {};
-};
-
-// Condition 2 for the boundary facets of all ranks. Returns the faulty ridges among those whose
-// hash names this rank. Called by all ranks.
-template <std::size_t kDimension>
-std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
-                                                       const LocalMesh<kDimension>& mesh,
-                                                       const std::vector<std::uint32_t>& boundary,
-                                                       fast::Stages& stages) {
-  constexpr std::size_t kVertices = kDimension + 1;
-  struct Item {
-    std::array<std::int64_t, kDimension - 1> ridge;  // ascending
-    FacetName facet;
-    fast::SiteRow<kDimension> hinge;  // as fast::makes_no_reflex_angle requires it
-
-    std::uint64_t hash() const { return hash_of(ridge); }
-    bool same(const Item& other) const { return ridge == other.ridge; }
-  };
-  const auto item = [&](std::size_t i) {
-    const std::uint32_t facet = boundary[i / kDimension];
-    const std::size_t s = facet / kVertices, place = facet % kVertices;
-    std::array<std::size_t, kVertices> places = {};  // of the ridge, of the far vertex, of the apex
-    std::size_t size = 0;
-    places[kDimension - 1] = fast::kFacetPlaces<kVertices>[place][i % kDimension];
-    places[kDimension] = place;
-    for (std::size_t k = 0; k < kVertices; ++k) {
-      if (k != place && k != places[kDimension - 1]) places[size++] = k;
-    }
-    const auto row = mesh.view().row(s);
-    std::sort(places.begin(), places.begin() + (kDimension - 1),
-              [&](std::size_t a, std::size_t b) { return row[a] < row[b]; });
-    Item one{{}, {static_cast<std::int32_t>(ranks.rank()), facet}, {}};
-    for (std::size_t k = 0; k + 1 < kDimension; ++k) one.ridge[k] = mesh.global(row[places[k]]);
-    const fast::SiteRow<kDimension> sites = mesh.sites(s);
-    for (std::size_t k = 0; k < kVertices; ++k) one.hinge[k] = sites[places[k]];
-    return one;
-  };
-  std::vector<FaultyRidgeName<kDimension>> faulty;
-  meet(ranks, boundary.size() * kDimension, item,
-       [&](const std::vector<Item>& items, std::span<const std::uint32_t> group) {
-         if (group.size() == 2 && fast::makes_no_reflex_angle<kDimension>(
-                                      items[group[0]].hinge, items[group[1]].hinge, stages)) {
-           return;
-         }
-         auto& ridge = faulty.emplace_back();
-         ridge.vertices = items[group[0]].ridge;
-         for (const std::uint32_t i : group) ridge.facets.push_back(items[i].facet);
-       });
-  return faulty;
-}
-
 // This rank's boundary facets that do not have the sample point strictly on their inner sides.
 template <std::size_t kDimension>
 FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
@@ -306,9 +249,10 @@ FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
 }
 
 // Simplices that have the same vertices as another, whether these are points or not, group by
-// group. Called by all ranks.
+// group, of those that each rank lists. Called by all ranks.
 template <std::size_t kDimension>
-std::vector<FacetNames> equal_simplices(Ranks& ranks, const LocalMesh<kDimension>& mesh) {
+std::vector<FacetNames> equal_simplices(Ranks& ranks, const LocalMesh<kDimension>& mesh,
+                                        std::span<const std::uint32_t> listed) {
   constexpr std::size_t kVertices = kDimension + 1;
   struct Item {
     std::array<std::int64_t, kVertices> vertices;  // ascending
@@ -317,15 +261,16 @@ std::vector<FacetNames> equal_simplices(Ranks& ranks, const LocalMesh<kDimension
     std::uint64_t hash() const { return hash_of(vertices); }
     bool same(const Item& other) const { return vertices == other.vertices; }
   };
-  const auto item = [&](std::size_t s) {
+  const auto item = [&](std::size_t i) {
+    const std::size_t s = listed[i];
     Item one{{},
              {static_cast<std::int32_t>(ranks.rank()), static_cast<std::uint32_t>(s * kVertices)}};
-    for (std::size_t i = 0; i < kVertices; ++i) one.vertices[i] = mesh.vertex(s, i);
+    for (std::size_t k = 0; k < kVertices; ++k) one.vertices[k] = mesh.vertex(s, k);
     std::sort(one.vertices.begin(), one.vertices.end());
     return one;
   };
   std::vector<FacetNames> equal;
-  meet(ranks, mesh.size(), item,
+  meet(ranks, listed.size(), item,
        [&](const std::vector<Item>& items, std::span<const std::uint32_t> group) {
          if (group.size() == 1) return;
          FacetNames& names = equal.emplace_back();

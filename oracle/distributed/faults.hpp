@@ -13,9 +13,12 @@
 #include "oracle/distributed/conditions.hpp"
 #include "oracle/distributed/gathered.hpp"
 #include "oracle/distributed/local_mesh.hpp"
+#include "oracle/distributed/own_part.hpp"
 #include "oracle/distributed/ranks.hpp"
+#include "oracle/distributed/ridges.hpp"
 #include "oracle/distributed/submerged.hpp"
 #include "oracle/judge/fast/faults.hpp"
+#include "oracle/judge/fast_view.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::distributed {
@@ -105,6 +108,7 @@ struct NamedFaults {
             static_cast<std::int64_t>(part.point(static_cast<std::uint64_t>(v))));
       }
       faulty.facets = facets(ridge.facets);
+      faulty.kind = ridge.kind;
     }
     return faults;
   }
@@ -113,52 +117,38 @@ struct NamedFaults {
 template <std::size_t kDimension>
 class FaultSearch {
  public:
-  FaultSearch(Ranks& ranks, const LocalMesh<kDimension>& mesh, Claim claim)
-      : ranks_(ranks), mesh_(mesh), claim_(claim) {}
+  FaultSearch(Ranks& ranks, const LocalMesh<kDimension>& mesh, Claim claim, unsigned threads)
+      : ranks_(ranks), mesh_(mesh), claim_(claim), threads_(threads), shared_(ranks, mesh) {}
 
   // Nothing if no simplex is sound. Called by all ranks. Requires: no two points are equal.
   std::optional<NamedFaults<kDimension>> run() {
-    std::vector<std::uint64_t> negative((mesh_.size() + 63) / 64, 0);
-    FacetNames unsound;
-    std::size_t sound = kNone, first = kNone;
-    const auto note = [&](std::size_t s, std::size_t& earliest) {
-      if (earliest == kNone || mesh_.place(s) < mesh_.place(earliest)) earliest = s;
-    };
-    for (std::size_t s = 0; s < mesh_.size(); ++s) {
-      const auto row = mesh_.view().row(s);
-      int sign = 0;
-      if (std::all_of(row.begin(), row.end(), [](std::int32_t v) { return v >= 0; })) {
-        sign = fast::orientation<kDimension>(mesh_.sites(s), stages_);
-      }
-      note(s, first);
-      if (sign == 0) {
-        unsound.push_back(own_name(s));
-      } else {
-        note(s, sound);
-      }
-      if (sign < 0) negative[s / 64] |= std::uint64_t{1} << (s % 64);
-    }
-    faults_.sound = first_of_all(sound);
+    OwnFaults own = own_part().run(check::question_of(claim_), threads_);
+    faults_.sound = first_of_all(own.sound);
     if (faults_.sound.rank < 0) return std::nullopt;
-    faults_.first = first_of_all(first);
-    bool goes_on = !take(std::move(unsound), faults_.unsound);
-    FacetNames duplicates;
-    for (const FacetNames& group : equal_simplices(ranks_, mesh_)) append(duplicates, group);
-    goes_on &= !take(std::move(duplicates), faults_.duplicates);
+    faults_.first = first_of_all(own.first);
+    bool goes_on = !take(std::move(own.unsound), faults_.unsound);
+    for (const FacetNames& group : equal_simplices(ranks_, mesh_, own.simplices)) {
+      append(own.duplicates, group);
+    }
+    goes_on &= !take(std::move(own.duplicates), faults_.duplicates);
     if (claim_ != Claim::kWeightedDelaunay) {
       std::vector<NumberedPoint<kDimension>> unused;
       for (const std::size_t i : mesh_.unused()) unused.push_back(mesh_.owned_point(i));
       take(std::move(unused), faults_.unused);
     }
     ranks_.end_phase("faults: simplices");
-    if (goes_on) judge_facets(fast::Orientations(std::move(negative)));
+    if (!goes_on) return std::move(faults_);
+    judge_facets(own);
+    // The parts may have failed by accident, since hashes collided: then all facets meet, and say
+    // what else is to be said of a mesh that holds.
+    if (ranks_.of_rank(0, faults_.hold())) judge_facets(own_part().all());
     return std::move(faults_);
   }
 
  private:
   static constexpr std::size_t kVertices = kDimension + 1;
-  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
+  OwnPart<kDimension> own_part() const { return {ranks_.rank(), mesh_, shared_}; }
   FacetName own_name(std::size_t s) const {
     return {static_cast<std::int32_t>(ranks_.rank()), static_cast<std::uint32_t>(s * kVertices)};
   }
@@ -183,19 +173,24 @@ class FaultSearch {
       FacetName name;
     };
     Candidate first{std::numeric_limits<std::uint64_t>::max(), {}};
-    if (own != kNone) first = {mesh_.place(own), own_name(own)};
+    if (own != OwnFaults::kNone) first = {mesh_.place(own), own_name(own)};
     for (const Candidate& other : ranks_.of_each(first)) {
       if (other.place < first.place) first = other;
     }
     return first.name;
   }
 
-  // Here all facets meet, so that a facet of three simplices is not mistaken for one of two.
-  void judge_facets(const fast::Orientations& orientations) {
+  // All facets meet that several ranks may have, so that one of three simplices is not mistaken for
+  // one of two.
+  void judge_facets(const OwnFaults& own) {
+    const fast::Orientations& orientations = own.orientations;
     const BallQuestions balls{claim_ != Claim::kTriangulation};
-    FacetFindings found = FacetMeeting<kDimension>(ranks_, mesh_, orientations, balls)
-                              .run(mesh_.size() * kVertices,
-                                   [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    FacetFindings found =
+        FacetMeeting<kDimension>(ranks_, mesh_, orientations, balls).run(own.facets);
+    append(found.overused, own.overused);
+    append(found.same_side, own.same_side);
+    append(found.not_local, own.not_local);
+    append(found.boundary, own.boundary);
     bool match = !take(found.overused, faults_.overused);
     match &= !take(found.same_side, faults_.same_side);
     ranks_.end_phase("faults: facets");
@@ -216,7 +211,10 @@ class FaultSearch {
 
   bool judge_boundary(const std::vector<std::uint32_t>& boundary,
                       const fast::Orientations& orientations) {
-    if (take_ridges(faulty_ridges(ranks_, mesh_, boundary, stages_))) return false;
+    RidgeMeeting<kDimension> ridges(ranks_, mesh_, boundary, stages_);
+    if (take_ridges(ridges.run([this](std::int32_t v) { return shared_.contains(v); }))) {
+      return false;
+    }
     fast::SamplePoint<kDimension> sample;
     const std::size_t first = faults_.first.facet / kVertices;
     const bool is_own = faults_.first == own_name(first);
@@ -236,16 +234,20 @@ class FaultSearch {
   }
 
   bool take_ridges(const std::vector<FaultyRidgeName<kDimension>>& own) {
-    std::vector<std::array<std::int64_t, kDimension - 1>> vertices;
+    struct Kind {
+      std::array<std::int64_t, kDimension - 1> vertices;
+      conditions::AtRidge kind;
+    };
+    std::vector<Kind> kinds;
     std::vector<FacetNames> facets;
     for (const auto& ridge : own) {
-      vertices.push_back(ridge.vertices);
+      kinds.push_back({ridge.vertices, ridge.kind});
       facets.push_back(ridge.facets);
     }
-    vertices = ranks_.at_first(std::move(vertices));
+    kinds = ranks_.at_first(std::move(kinds));
     facets = groups_at_first(ranks_, facets);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      faults_.ridges.push_back({vertices[i], facets[i]});
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      faults_.ridges.push_back({kinds[i].vertices, std::move(facets[i]), kinds[i].kind});
     }
     return ranks_.any(!own.empty());
   }
@@ -253,6 +255,8 @@ class FaultSearch {
   Ranks& ranks_;
   const LocalMesh<kDimension>& mesh_;
   Claim claim_;
+  unsigned threads_;
+  SharedPoints<kDimension> shared_;
   NamedFaults<kDimension> faults_;
   fast::Stages stages_;
 };

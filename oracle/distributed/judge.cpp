@@ -11,6 +11,7 @@
 
 #include "oracle/distributed/faults.hpp"
 #include "oracle/distributed/gathered.hpp"
+#include "oracle/distributed/ridges.hpp"
 #include "oracle/distributed/submerged.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/judge.hpp"
@@ -75,14 +76,15 @@ class DistributedJudge {
     const auto unit = std::bit_cast<double>(ranks_.least(std::bit_cast<std::uint64_t>(swept.unit)));
     const BallQuestions balls{asks_balls(), {unit}};
     const std::pmr::vector<std::uint32_t> open = std::move(swept.open);
-    FacetFindings found = FacetMeeting<kDimension>(ranks_, mesh_, swept.orientations, balls)
-                              .run(open.size(), [&open](std::size_t i) { return open[i]; });
+    FacetFindings found =
+        FacetMeeting<kDimension>(ranks_, mesh_, swept.orientations, balls).run(open);
     ranks_.end_phase("facets between ranks");
     if (ranks_.any(!found.match())) return false;
     if (ranks_.any(
             !beyond(ranks_, mesh_, found.boundary, sample, swept.orientations, stages_).empty()))
       return false;
-    if (ranks_.any(!faulty_ridges(ranks_, mesh_, found.boundary, stages_).empty())) return false;
+    RidgeMeeting<kDimension> ridges(ranks_, mesh_, found.boundary, stages_);
+    if (ranks_.any(!ridges.run([](std::int32_t) { return true; }).empty())) return false;
     ranks_.end_phase("boundary");
     append(found.not_local, swept.not_local);
     if (ranks_.any(!mesh_.unused().empty())) {
@@ -188,7 +190,7 @@ class DistributedJudge {
 
   // At the first rank, the exact checkers look at the faults. False if no simplex is sound.
   bool judge_by_faults(Judged& judged) {
-    FaultSearch<kDimension> search(ranks_, mesh_, claim_);
+    FaultSearch<kDimension> search(ranks_, mesh_, claim_, threads_);
     const auto found = search.run();
     if (!found) return false;
     judged.holds = found->hold();

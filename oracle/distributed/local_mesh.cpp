@@ -177,6 +177,7 @@ std::vector<std::uint64_t> LocalMesh<kDimension>::curve_places(
     Ranks& ranks, std::span<const std::uint64_t> points, const SiteBox& box) const {
   constexpr double kCells = kDimension == 2 ? 0x1p31 : 0x1p20;
   std::vector<std::vector<std::uint64_t>> asked(ranks.size());
+  for (auto& some : asked) some.reserve(points.size() / ranks.size() * 9 / 8 + 8);
   for (const std::uint64_t v : points) asked[owner_of(v)].push_back(v);
   std::vector<std::uint64_t> from;
   const std::vector<std::uint64_t> wanted = ranks.exchanged(std::move(asked), &from);
@@ -223,6 +224,7 @@ template <std::size_t kDimension>
 std::vector<typename LocalMesh<kDimension>::CurvePlace> LocalMesh<kDimension>::places_of(
     Ranks& ranks, const std::vector<Moved>& some, const SiteBox& box) const {
   std::vector<std::uint64_t> firsts;
+  firsts.reserve(some.size());
   for (const Moved& moved : some) {
     const auto known = std::find_if(moved.row.begin(), moved.row.end(),
                                     [&](std::int64_t v) { return names_point(place_of(v)); });
@@ -230,6 +232,7 @@ std::vector<typename LocalMesh<kDimension>::CurvePlace> LocalMesh<kDimension>::p
   }
   const std::vector<std::uint64_t> of_vertices = curve_places(ranks, firsts, box);
   std::vector<CurvePlace> places;
+  places.reserve(some.size());
   for (std::size_t i = 0; i < some.size(); ++i) {
     places.push_back({of_vertices[i], fast::mixed_vertex(some[i].place)});
   }
@@ -279,12 +282,13 @@ void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
                  some);
     const std::vector<CurvePlace> keys = places_of(ranks, some, box);
     std::vector<std::vector<Moved>> out(ranks.size());
+    for (auto& moved : out) moved.reserve(some.size() / ranks.size() * 9 / 8 + 8);
     for (std::size_t i = 0; i < some.size(); ++i) {
       const auto part = std::upper_bound(begins.begin(), begins.end(), keys[i]) - begins.begin();
       out[static_cast<std::size_t>(part)].push_back(some[i]);
     }
     for (const Moved& moved : ranks.exchanged(std::move(out))) {
-      rows->insert(rows->end(), moved.row.begin(), moved.row.end());
+      for (const std::int64_t v : moved.row) rows->push_back(v);
       places.push_back(moved.place);
     }
   }

@@ -23,6 +23,12 @@ inline tl::unexpected<std::string_view> because(std::string_view reason) {
   return tl::unexpected(reason);
 }
 
+// What the fast engine is asked. Requires: a claim about points.
+inline fast::Question question_of(Claim claim) {
+  if (claim == Claim::kTriangulation) return fast::Question::kTriangulation;
+  return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
+}
+
 // Calls `look(view)` with the simplices as the fast engine sees them, with these numbers for the
 // points, and without neighbours. Returns why it does not see them; empty if it does.
 template <class Look>

@@ -22,11 +22,6 @@
 namespace circumspect::check {
 namespace {
 
-fast::Question question_of(Claim claim) {
-  if (claim == Claim::kTriangulation) return fast::Question::kTriangulation;
-  return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
-}
-
 using FactsOrUndecided = tl::expected<fast::Facts, fast::Undecided>;
 
 // With the neighbours that the mesh lists, if it does.

@@ -17,24 +17,14 @@
 namespace circumspect::check {
 
 // What oracle/judge/points finds at a faulty ridge, found by the signs of the fast judge instead.
-// The ridge's facets are put in the order of the exact checkers: by their vertices, then by their
-// simplices.
 template <std::size_t kDimension, typename Index>
 class RidgeFault {
  public:
   RidgeFault(const fast::MeshView<kDimension, Index>& mesh, const fast::FaultyRidge& ridge)
-      : mesh_(mesh), ridge_(ridge), facets_(ridge.facets) {
-    std::sort(facets_.begin(), facets_.end(), [&](fast::FacetId a, fast::FacetId b) {
-      return std::pair(vertices_of(a), a.simplex()) < std::pair(vertices_of(b), b.simplex());
-    });
-    fast::Stages stages;
-    kind_ = facets_.size() == 2
-                ? fast::at_hinge<kDimension>(hinge(facets_[0]), hinge(facets_[1]), stages)
-                : conditions::AtRidge::kNotClosed;
-  }
+      : mesh_(mesh), ridge_(ridge) {}
 
   Rule rule() const {
-    switch (kind_) {
+    switch (ridge_.kind) {
       case conditions::AtRidge::kNotClosed:
         return Rule::kHullNotClosed;
       case conditions::AtRidge::kFolded:
@@ -46,29 +36,30 @@ class RidgeFault {
 
   // The vertices that the witness names, ascending.
   Simplex named() const {
+    const std::vector<fast::FacetId> facets = facets_in_order();
     Simplex all;
     const auto add_simplex = [&](fast::FacetId facet) {
       const auto row = mesh_.row(facet.simplex());
       all.insert(all.end(), row.begin(), row.end());
     };
-    switch (kind_) {
+    switch (kind_of(facets)) {
       case conditions::AtRidge::kNotClosed:
-        for (const fast::FacetId facet : facets_) {
+        for (const fast::FacetId facet : facets) {
           const auto vertices = vertices_of(facet);
           all.insert(all.end(), vertices.begin(), vertices.end());
         }
         break;
       case conditions::AtRidge::kFirstBeyond:
-        add_simplex(facets_[1]);
-        all.push_back(off_ridge(facets_[0]));
+        add_simplex(facets[1]);
+        all.push_back(off_ridge(facets[0]));
         break;
       case conditions::AtRidge::kSecondBeyond:
-        add_simplex(facets_[0]);
-        all.push_back(off_ridge(facets_[1]));
+        add_simplex(facets[0]);
+        all.push_back(off_ridge(facets[1]));
         break;
       default:
-        add_simplex(facets_[0]);
-        add_simplex(facets_[1]);
+        add_simplex(facets[0]);
+        add_simplex(facets[1]);
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -76,6 +67,20 @@ class RidgeFault {
   }
 
  private:
+  // That of the exact checkers: by their vertices, then by their simplices.
+  std::vector<fast::FacetId> facets_in_order() const {
+    std::vector<fast::FacetId> facets = ridge_.facets;
+    std::sort(facets.begin(), facets.end(), [&](fast::FacetId a, fast::FacetId b) {
+      return std::pair(vertices_of(a), a.simplex()) < std::pair(vertices_of(b), b.simplex());
+    });
+    return facets;
+  }
+  conditions::AtRidge kind_of(const std::vector<fast::FacetId>& facets) const {
+    fast::Stages stages;
+    return facets.size() == 2
+               ? fast::at_hinge<kDimension>(hinge(facets[0]), hinge(facets[1]), stages)
+               : conditions::AtRidge::kNotClosed;
+  }
   auto vertices_of(fast::FacetId facet) const {
     return fast::facet_of(mesh_.row(facet.simplex()), facet.place());
   }
@@ -98,8 +103,6 @@ class RidgeFault {
 
   const fast::MeshView<kDimension, Index>& mesh_;
   const fast::FaultyRidge& ridge_;
-  std::vector<fast::FacetId> facets_;
-  conditions::AtRidge kind_ = conditions::AtRidge::kGood;
 };
 
 // The faulty ridges in order, divided into those that the exact checkers look at again, and those

@@ -117,7 +117,7 @@ std::optional<Cause> vertices_beside_faces(Case& of) {
   // Where facets are shared by more than two, those of only one tell nothing.
   const bool is_tangled = of.breaks(Rule::kFacetOverused) || of.breaks(Rule::kDuplicateSimplex);
   if (is_tangled || !may_be_apart(of)) return std::nullopt;
-  const std::vector<Uncut> uncut = uncut_faces(of.mesh());
+  const std::vector<Uncut> uncut = uncut_faces(of.mesh(), of.bare());
   std::set<Vertex> vertices;
   Rational farthest = 0;
   for (const Uncut& one : uncut) {

@@ -1,6 +1,7 @@
 #include "oracle/judge/cause/bare_facets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "kernel/predicates/orientation.hpp"
@@ -12,7 +13,7 @@ namespace circumspect::check {
 namespace {
 
 template <std::size_t kDimension>
-int orientation_of_doubles(std::span<const double> coordinates, const Simplex& points) {
+int orientation_of_doubles(std::span<const double> coordinates, std::span<const Vertex> points) {
   fast::SiteRow<kDimension> row;
   for (std::size_t i = 0; i <= kDimension; ++i) {
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
@@ -48,7 +49,7 @@ std::vector<BareFacet> bare_facets(const Mesh& mesh) {
   return found;
 }
 
-int orientation_in(const Mesh& mesh, const Simplex& points) {
+int orientation_in(const Mesh& mesh, std::span<const Vertex> points) {
   const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
   if (doubles != nullptr && mesh.dimension() == 2) {
     return orientation_of_doubles<2>(doubles->values(), points);
@@ -64,13 +65,11 @@ int orientation_in(const Mesh& mesh, const Simplex& points) {
   return orientation(exact, axes, first_subset(points.size()));
 }
 
-bool is_beyond(const Mesh& mesh, const BareFacet& facet, Vertex point) {
-  const auto side = [&](Vertex v) {
-    Simplex joined = facet.facet;
-    joined.push_back(v);
-    return orientation_in(mesh, joined);
-  };
-  return side(point) * side(facet.apex) < 0;
+int side_of(const Mesh& mesh, const BareFacet& facet, Vertex point) {
+  std::array<Vertex, 4> joined = {};
+  const auto end = std::copy(facet.facet.begin(), facet.facet.end(), joined.begin());
+  *end = point;
+  return orientation_in(mesh, std::span(joined).first(facet.facet.size() + 1));
 }
 
 }  // namespace circumspect::check

@@ -1,6 +1,7 @@
 // The facets of a mesh that only one simplex has, and on which side of them points are.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
@@ -19,9 +20,9 @@ std::vector<BareFacet> bare_facets(const Mesh& mesh);
 
 // The sign of the determinant of d + 1 points of a mesh in the plane or in space, exactly: by the
 // fast predicates, if its coordinates are doubles.
-int orientation_in(const Mesh& mesh, const Simplex& points);
+int orientation_in(const Mesh& mesh, std::span<const Vertex> points);
 
-// Is the point strictly on the other side of the facet than its apex?
-bool is_beyond(const Mesh& mesh, const BareFacet& facet, Vertex point);
+// On which side of the facet is a point, −1, 0 or 1? The apex is not in its plane.
+int side_of(const Mesh& mesh, const BareFacet& facet, Vertex point);
 
 }  // namespace circumspect::check

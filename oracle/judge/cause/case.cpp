@@ -32,6 +32,11 @@ std::size_t Case::violations() const {
   return all;
 }
 
+const std::vector<BareFacet>& Case::bare() {
+  if (!bare_) bare_ = bare_facets(mesh_);
+  return *bare_;
+}
+
 std::optional<Case::Mended> Case::mended(const Mesh& mesh) {
   if (std::exchange(has_mended_, true)) return std::nullopt;
   const std::optional<Verdict> after = judge_(mesh);

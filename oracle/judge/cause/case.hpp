@@ -4,7 +4,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
@@ -24,6 +26,9 @@ class Case {
   bool breaks(Rule rule) const { return count(rule) > 0; }
   std::size_t count(Rule rule) const;
   std::size_t violations() const;  // of all rules
+
+  // Of the mesh; found once.
+  const std::vector<BareFacet>& bare();
 
   // What became of the violations once the mesh was mended.
   struct Mended {
@@ -46,6 +51,7 @@ class Case {
   const Verdict& verdict_;
   const Mesh& mesh_;
   JudgeAgain judge_;
+  std::optional<std::vector<BareFacet>> bare_ = {};
   bool has_mended_ = false;
   std::optional<Verdict> as_complex_ = {};
 };

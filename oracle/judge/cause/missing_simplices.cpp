@@ -1,12 +1,16 @@
 // Simplices that are missing: holes that have the facets of one simplex.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <span>
+#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "kernel/complex/by_facet.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
@@ -21,18 +25,58 @@ constexpr std::size_t kMostUnused = 16;
 // which would take as long as the verdict did.
 constexpr std::size_t kMostMended = 50'000;
 
+// Bare facets, found by their vertices.
+class BareFacets {
+ public:
+  BareFacets(const Mesh& mesh, const std::vector<BareFacet>& bare)
+      : mesh_(mesh), bare_(bare), first_at_(mesh.points() + 1, 0) {
+    side_of_apex_.reserve(bare.size());
+    for (const BareFacet& facet : bare) {
+      side_of_apex_.push_back(static_cast<signed char>(side_of(mesh, facet, facet.apex)));
+      ++first_at_[static_cast<std::size_t>(facet.facet.front()) + 1];
+    }
+    std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
+  }
+
+  std::size_t size() const { return bare_.size(); }
+  const Simplex& vertices(std::size_t i) const { return bare_[i].facet; }
+
+  // Is the point strictly on the other side of the facet than its apex?
+  bool is_beyond(std::size_t i, Vertex point) const {
+    return side_of(mesh_, bare_[i], point) * side_of_apex_[i] < 0;
+  }
+
+  std::optional<std::size_t> find(std::span<const Vertex> facet) const {
+    const auto v = static_cast<std::size_t>(facet.front());
+    for (std::size_t i = first_at_[v]; i < first_at_[v + 1]; ++i) {
+      if (std::equal(facet.begin(), facet.end(), bare_[i].facet.begin())) return i;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<BareFacet>& bare_;
+  std::vector<std::size_t> first_at_;  // of the facets whose first vertex is that point
+  std::vector<signed char> side_of_apex_ = {};
+};
+
 // The holes of a mesh: what bare facets enclose between them and with the convex hull.
 class Holes {
  public:
-  explicit Holes(const Mesh& mesh) : mesh_(mesh), bare_(bare_facets(mesh)), joined_(bare_.size()) {
+  Holes(const Mesh& mesh, const std::vector<BareFacet>& bare)
+      : corners_(mesh.dimension() + 1), bare_(mesh, bare), joined_(bare.size()) {
     join();
   }
 
   // The simplices, ascending, all of whose facets are bare and have them on the outer side.
   std::vector<Simplex> closed() const {
     std::vector<Simplex> found;
-    for (const Simplex& simplex : pairs_) {
-      if (has_bare_facets(simplex)) found.push_back(simplex);
+    for (const Corners& simplex : pairs_) {
+      if (has_bare_facets(simplex)) {
+        found.emplace_back(simplex.begin(),
+                           simplex.begin() + static_cast<std::ptrdiff_t>(corners_));
+      }
     }
     return found;
   }
@@ -42,12 +86,13 @@ class Holes {
     std::map<std::size_t, std::set<Vertex>> groups;
     std::map<std::size_t, std::size_t> sizes;
     for (std::size_t i = 0; i < bare_.size(); ++i) {
-      groups[joined_.find(i)].insert(bare_[i].facet.begin(), bare_[i].facet.end());
+      const Simplex& facet = bare_.vertices(i);
+      groups[joined_.find(i)].insert(facet.begin(), facet.end());
       ++sizes[joined_.find(i)];
     }
     std::vector<Simplex> found;
     for (const auto& [group, vertices] : groups) {
-      if (sizes[group] > 1 && vertices.size() == mesh_.dimension() + 1) {
+      if (sizes[group] > 1 && vertices.size() == corners_) {
         found.emplace_back(vertices.begin(), vertices.end());
       }
     }
@@ -58,56 +103,82 @@ class Holes {
   std::vector<Simplex> at(const std::vector<Vertex>& unused) const {
     std::vector<Simplex> found;
     for (const Vertex v : unused) {
-      const BareFacet* only = nullptr;
-      std::size_t count = 0;
-      for (const BareFacet& facet : bare_) {
-        if (!is_beyond(mesh_, facet, v)) continue;
-        only = &facet;
+      std::size_t only = 0, count = 0;
+      for (std::size_t i = 0; i < bare_.size(); ++i) {
+        if (!bare_.is_beyond(i, v)) continue;
+        only = i;
         ++count;
       }
       if (count != 1) continue;
-      found.push_back(only->facet);
+      found.push_back(bare_.vertices(only));
       found.back().push_back(v);
     }
     return found;
   }
 
  private:
-  // Two facets with a common ridge enclose something if each is beyond the other.
-  void join() {
-    std::vector<Simplex> facets;
-    for (const BareFacet& one : bare_) facets.push_back(one.facet);
-    for (const auto group : ByFacet(facet_uses(facets))) {
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-          const BareFacet &a = bare_[group[i].simplex], &b = bare_[group[j].simplex];
-          const Vertex far_a = a.facet[group[i].opposite], far_b = b.facet[group[j].opposite];
-          if (!is_beyond(mesh_, a, far_b) || !is_beyond(mesh_, b, far_a)) continue;
-          joined_.unite(group[i].simplex, group[j].simplex);
-          Simplex simplex = a.facet;
-          simplex.push_back(far_b);
-          pairs_.insert(sorted(std::move(simplex)));
-        }
+  using Corners = std::array<Vertex, 4>;  // ascending; in the plane, the last counts for nothing
+
+  struct RidgeUse {
+    std::array<Vertex, 2> ridge;  // ascending; in the plane, the last counts for nothing
+    std::size_t facet;
+    Vertex far;
+  };
+
+  std::vector<RidgeUse> ridge_uses() const {
+    std::vector<RidgeUse> uses;
+    uses.reserve(bare_.size() * (corners_ - 1));
+    for (std::size_t i = 0; i < bare_.size(); ++i) {
+      const Simplex& facet = bare_.vertices(i);
+      for (const Vertex far : facet) {
+        RidgeUse use{{}, i, far};
+        std::copy_if(facet.begin(), facet.end(), use.ridge.begin(),
+                     [far](Vertex v) { return v != far; });
+        uses.push_back(use);
       }
     }
+    std::sort(uses.begin(), uses.end(), [](const RidgeUse& a, const RidgeUse& b) {
+      return std::tie(a.ridge, a.facet) < std::tie(b.ridge, b.facet);
+    });
+    return uses;
   }
 
-  bool has_bare_facets(const Simplex& simplex) const {
-    for (std::size_t place = 0; place < simplex.size(); ++place) {
-      const Simplex facet = facet_opposite(simplex, place);
-      const auto found = std::lower_bound(
-          bare_.begin(), bare_.end(), facet,
-          [](const BareFacet& bare, const Simplex& key) { return bare.facet < key; });
-      const bool is_bare = found != bare_.end() && found->facet == facet;
-      if (!is_bare || !is_beyond(mesh_, *found, simplex[place])) return false;
+  // Two facets with a common ridge enclose something if each is beyond the other.
+  void join() {
+    const std::vector<RidgeUse> uses = ridge_uses();
+    for (std::size_t i = 0, first = 0; i < uses.size(); ++i) {
+      if (uses[i].ridge != uses[first].ridge) first = i;
+      for (std::size_t j = first; j < i; ++j) {
+        const RidgeUse &a = uses[i], &b = uses[j];
+        if (!bare_.is_beyond(a.facet, b.far) || !bare_.is_beyond(b.facet, a.far)) continue;
+        joined_.unite(a.facet, b.facet);
+        const Simplex& facet = bare_.vertices(a.facet);
+        Corners simplex = {};
+        std::merge(facet.begin(), facet.end(), &b.far, &b.far + 1, simplex.begin());
+        pairs_.push_back(simplex);
+      }
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  }
+
+  bool has_bare_facets(const Corners& simplex) const {
+    for (std::size_t place = 0; place < corners_; ++place) {
+      std::array<Vertex, 3> facet = {};
+      std::size_t size = 0;
+      for (std::size_t k = 0; k < corners_; ++k) {
+        if (k != place) facet[size++] = simplex[k];
+      }
+      const auto found = bare_.find(std::span(facet).first(size));
+      if (!found || !bare_.is_beyond(*found, simplex[place])) return false;
     }
     return true;
   }
 
-  const Mesh& mesh_;
-  std::vector<BareFacet> bare_;
+  std::size_t corners_;  // of a simplex
+  BareFacets bare_;
   DisjointSets joined_;
-  std::set<Simplex> pairs_ = {};  // the corners of two facets that are joined
+  std::vector<Corners> pairs_ = {};  // the corners of two facets that are joined, ascending
 };
 
 std::vector<Vertex> unused_points(const Mesh& mesh) {
@@ -164,7 +235,7 @@ Cause at_holes(const Case& of, const std::string& words, const std::vector<Simpl
 
 std::optional<Cause> missing_simplices(Case& of) {
   if (of.verdict().claim() == Claim::kComplex) return std::nullopt;
-  Holes holes(of.mesh());
+  Holes holes(of.mesh(), of.bare());
   std::vector<Simplex> missing = holes.closed();
   const bool are_closed = !missing.empty();
   if (!are_closed) {

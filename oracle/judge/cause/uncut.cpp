@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "kernel/exact/point.hpp"
-#include "oracle/judge/cause/bare_facets.hpp"
+#include "kernel/exact/triple.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -52,74 +58,123 @@ Rational squared_distance_to(const Mesh& mesh, Vertex vertex, const Simplex& fac
   return height * height / squared_length(normal);
 }
 
-// In which faces of the mesh the vertices lie that a facet was cut at.
-using Carriers = std::map<Vertex, Simplex>;
-
-// Facets modulo two: one that is put in again goes.
+// Facets of vertices that some facets have, modulo two: one that is put in again goes.
 class Chain {
  public:
-  explicit Chain(const Mesh& mesh) : mesh_(mesh) {}
+  Chain(const Mesh& mesh, const std::vector<BareFacet>& bare)
+      : of_(mesh.points(), 0), was_touched_(mesh.points(), false) {
+    for (const BareFacet& one : bare) {
+      for (const Vertex v : one.facet) ++of_[static_cast<std::size_t>(v)];
+    }
+    std::uint32_t next = 0;
+    for (std::size_t v = 0; v < of_.size(); ++v) {
+      if (of_[v] == 0) continue;
+      at_.emplace_back().reserve(of_[v]);
+      places_.push_back(place_of(mesh, v));
+      of_[v] = next++;
+    }
+    for (const BareFacet& one : bare) put(one.facet);
+  }
 
-  void put(const Simplex& facet, const Carriers& carriers = {}) {
-    const bool is_new = facets_.insert(facet).second;
-    if (!is_new) facets_.erase(facet);
-    if (is_new && !carriers.empty()) {
-      carriers_[facet] = carriers;
-    } else {
-      carriers_.erase(facet);
+  void put(const Simplex& facet) {
+    for (const Vertex v : facet) was_touched_[static_cast<std::size_t>(v)] = true;
+    if (const auto old = find(facet)) {
+      for (const Vertex v : facet) std::erase(at(v), *old);
+      facets_[*old] = kNone;
+      return;
     }
-    for (const Vertex v : facet) {
-      if (is_new) {
-        at_[v].insert(facet);
-      } else {
-        at_[v].erase(facet);
-      }
-    }
+    for (const Vertex v : facet) at(v).push_back(static_cast<std::uint32_t>(facets_.size()));
+    facets_.push_back(corners_of(facet));
   }
-  bool has(const Simplex& facet) const { return facets_.contains(facet); }
-  const std::set<Simplex>& facets() const { return facets_; }
-  Carriers carriers(const Simplex& facet) const {
-    const auto known = carriers_.find(facet);
-    return known == carriers_.end() ? Carriers() : known->second;
-  }
+  bool has(const Simplex& facet) const { return find(facet).has_value(); }
 
   // Those that have the face.
-  std::vector<Simplex> with(const Simplex& face) {
+  std::vector<Simplex> with(const Simplex& face) const {
     std::vector<Simplex> found;
-    for (const Simplex& facet : at_[face.front()]) {
-      if (has_face(facet, face)) found.push_back(facet);
+    for (const std::uint32_t f : at(face.front())) {
+      Simplex facet = simplex_of(facets_[f]);
+      if (has_face(facet, face)) found.push_back(std::move(facet));
     }
     return found;
   }
-  // The vertices of facets at the corners of this one, but for its own.
-  std::set<Vertex> around(const Simplex& facet) {
-    std::set<Vertex> found;
-    for (const Vertex v : facet) {
-      for (const Simplex& other : at_[v]) found.insert(other.begin(), other.end());
+
+  // The facets at whose corners something was put in or has gone since the last time.
+  std::vector<Simplex> taken_touched() {
+    std::vector<Simplex> found;
+    for (const Corners& facet : facets_) {
+      if (std::any_of(facet.begin(), facet.end(), [this](Vertex v) {
+            return v >= 0 && was_touched_[static_cast<std::size_t>(v)];
+          })) {
+        found.push_back(simplex_of(facet));
+      }
     }
-    for (const Vertex v : facet) found.erase(v);
+    was_touched_.assign(was_touched_.size(), false);
     return found;
   }
-  const Place& place(Vertex v) {
-    const auto [known, is_new] = places_.emplace(v, Place{});
-    if (is_new) {
-      const Point point = mesh_.point(v);
-      for (std::size_t i = 0; i < point.size(); ++i) known->second[i] = point[i].get_d();
+
+  // The vertices of facets at the corners of this one, but for its own and those to be left out.
+  template <class LeavesOut>
+  std::vector<Vertex> around(const Simplex& facet, const LeavesOut& leaves_out) const {
+    std::vector<Vertex> found;
+    for (const Vertex corner : facet) {
+      for (const std::uint32_t f : at(corner)) {
+        for (const Vertex v : facets_[f]) {
+          if (v >= 0 && !contains(facet, v) && !leaves_out(v)) found.push_back(v);
+        }
+      }
     }
-    return known->second;
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
-  bool is_beside_face(Vertex vertex, const Simplex& face) {
+  const Place& place(Vertex v) const { return places_[of_[static_cast<std::size_t>(v)]]; }
+  bool is_beside_face(Vertex vertex, const Simplex& face) const {
     std::vector<Place> corners;
     for (const Vertex v : face) corners.push_back(place(v));
     return is_beside(place(vertex), corners);
   }
 
  private:
-  const Mesh& mesh_;
-  std::set<Simplex> facets_ = {};
-  std::map<Simplex, Carriers> carriers_ = {};
-  std::map<Vertex, std::set<Simplex>> at_ = {};
-  std::map<Vertex, Place> places_ = {};
+  // Ascending; in the plane the last is −1, and of a facet that has gone all are.
+  using Corners = std::array<Vertex, 3>;
+  static constexpr Corners kNone = {-1, -1, -1};
+
+  static Corners corners_of(const Simplex& facet) {
+    Corners corners = kNone;
+    std::copy(facet.begin(), facet.end(), corners.begin());
+    return corners;
+  }
+  static Simplex simplex_of(const Corners& corners) {
+    return {corners.begin(), std::find(corners.begin(), corners.end(), -1)};
+  }
+  std::optional<std::uint32_t> find(const Simplex& facet) const {
+    const Corners corners = corners_of(facet);
+    for (const std::uint32_t f : at(facet.front())) {
+      if (facets_[f] == corners) return f;
+    }
+    return std::nullopt;
+  }
+
+  static Place place_of(const Mesh& mesh, std::size_t v) {
+    Place place = {};
+    if (const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates)) {
+      std::copy_n(doubles->row(v).begin(), mesh.dimension(), place.begin());
+      return place;
+    }
+    const Point point = mesh.point(static_cast<Vertex>(v));
+    for (std::size_t i = 0; i < point.size(); ++i) place[i] = point[i].get_d();
+    return place;
+  }
+  std::vector<std::uint32_t>& at(Vertex v) { return at_[of_[static_cast<std::size_t>(v)]]; }
+  const std::vector<std::uint32_t>& at(Vertex v) const {
+    return at_[of_[static_cast<std::size_t>(v)]];
+  }
+
+  std::vector<std::uint32_t> of_;  // the number of each vertex in the two lists below
+  std::vector<std::vector<std::uint32_t>> at_ = {};  // facets
+  std::vector<Place> places_ = {};
+  std::vector<bool> was_touched_;
+  std::vector<Corners> facets_ = {};
 };
 
 // The edges first, then the facet itself.
@@ -128,21 +183,62 @@ std::vector<Simplex> faces_of(const Simplex& facet) {
   return {facet_opposite(facet, 0), facet_opposite(facet, 1), facet_opposite(facet, 2), facet};
 }
 
+// Is a point so far from a triangle's plane that it is beside no face of it? Not all that are too
+// far count, only those for which that is sure, rounding included. This is one question instead of
+// four.
+class FarFromPlane {
+ public:
+  explicit FarFromPlane(const std::array<Place, 3>& corners) : origin_(corners[0]) {
+    const Place a = between(corners[0], corners[1]), b = between(corners[0], corners[2]);
+    const Place c = between(corners[1], corners[2]);
+    normal_ = cross_product(a, b);
+    const double longest = std::max({product(a, a), product(b, b), product(c, c)});
+    error_ = 16 * std::numeric_limits<double>::epsilon() * longest;
+    most_ = 2 * kNear * std::sqrt(longest) * (std::sqrt(product(normal_, normal_)) + error_);
+  }
+
+  bool operator()(const Place& point) const {
+    const Place w = between(origin_, point);
+    const double size = std::abs(w[0]) + std::abs(w[1]) + std::abs(w[2]);
+    return std::abs(product(w, normal_)) > most_ + error_ * size;
+  }
+
+ private:
+  Place origin_, normal_;
+  double error_;  // of the normal
+  double most_;
+};
+
 using Cut = std::pair<Vertex, Simplex>;
 
+// The vertices around a facet that may be beside one of its faces.
+std::vector<Vertex> near(const Chain& chain, const Simplex& facet) {
+  if (facet.size() == 2) return chain.around(facet, [](Vertex) { return false; });
+  const FarFromPlane is_far({chain.place(facet[0]), chain.place(facet[1]), chain.place(facet[2])});
+  return chain.around(facet, [&](Vertex v) { return is_far(chain.place(v)); });
+}
+
+void add_cuts(const Chain& chain, const Simplex& facet, std::set<Cut>& found) {
+  const std::vector<Vertex> vertices = near(chain, facet);
+  if (vertices.empty()) return;
+  const std::vector<Simplex> faces = faces_of(facet);
+  for (const Vertex v : vertices) {
+    const auto face = std::find_if(faces.begin(), faces.end(), [&](const Simplex& one) {
+      return chain.is_beside_face(v, one);
+    });
+    if (face != faces.end()) found.emplace(v, *face);
+  }
+}
+
+// Where nothing was touched, what is found has been cut before.
 std::set<Cut> cuts_of(Chain& chain) {
   std::set<Cut> found;
-  for (const Simplex& facet : chain.facets()) {
-    for (const Vertex v : chain.around(facet)) {
-      for (const Simplex& face : faces_of(facet)) {
-        if (!chain.is_beside_face(v, face)) continue;
-        found.emplace(v, face);
-        break;
-      }
-    }
-  }
+  for (const Simplex& facet : chain.taken_touched()) add_cuts(chain, facet, found);
   return found;
 }
+
+// In which faces of the mesh the vertices lie that a facet was cut at.
+using Carriers = std::map<Vertex, Simplex>;
 
 // The face of the mesh that a face of a facet is part of.
 Simplex whole(const Simplex& face, const Carriers& carriers) {
@@ -171,23 +267,25 @@ std::vector<Simplex> pieces_of(const Simplex& facet, const Cut& cut) {
 
 }  // namespace
 
-std::vector<Uncut> uncut_faces(const Mesh& mesh) {
-  const std::vector<BareFacet> bare = bare_facets(mesh);
+std::vector<Uncut> uncut_faces(const Mesh& mesh, const std::vector<BareFacet>& bare) {
   if (bare.size() > kMostBare) return {};
-  Chain chain(mesh);
-  for (const BareFacet& one : bare) chain.put(one.facet);
+  Chain chain(mesh, bare);
   std::map<Cut, std::vector<std::vector<Simplex>>> made;
+  std::map<Simplex, Carriers> carriers;  // of the facets that cuts have made
   for (int round = 0; round < kMostRounds; ++round) {
     bool has_more = false;
     for (const Cut& cut : cuts_of(chain)) {
       for (const Simplex& facet : chain.with(cut.second)) {
         if (contains(facet, cut.first)) continue;
-        Carriers carriers = chain.carriers(facet);
-        const Simplex face = whole(cut.second, carriers);
-        carriers[cut.first] = face;
+        Carriers own = carriers[facet];
+        const Simplex face = whole(cut.second, own);
+        own[cut.first] = face;
         chain.put(facet);
         const std::vector<Simplex> pieces = pieces_of(facet, cut);
-        for (const Simplex& piece : pieces) chain.put(piece, carriers);
+        for (const Simplex& piece : pieces) {
+          chain.put(piece);
+          carriers[piece] = own;  // read only if it is there
+        }
         made[{cut.first, face}].push_back(pieces);
         has_more = true;
       }

@@ -5,6 +5,7 @@
 
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
@@ -17,8 +18,7 @@ struct Uncut {
 };
 
 // Only where the simplices with the face, cut at the vertex, have the facets of those across. None
-// if the mesh has not rows of d + 1 points each, in the plane or in space, or too many facets that
-// only one simplex has.
-std::vector<Uncut> uncut_faces(const Mesh& mesh);
+// if there are too many bare facets. Requires: they are those of the mesh.
+std::vector<Uncut> uncut_faces(const Mesh& mesh, const std::vector<BareFacet>& bare);
 
 }  // namespace circumspect::check

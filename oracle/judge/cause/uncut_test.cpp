@@ -30,6 +30,8 @@ std::vector<Cause> causes_of_complex(const Mesh& mesh) {
 
 const Rational kOff(1, 1L << 40);
 
+std::vector<Uncut> found_in(const Mesh& mesh) { return uncut_faces(mesh, bare_facets(mesh)); }
+
 // The triangle above the edge 0 1 is not cut; those below meet in two vertices near it.
 Mesh plane(const Rational& off) {
   return mesh_of({{0, 0}, {3, 0}, {1, off}, {2, off / 2}, {1, -2}, {1, 3}},
@@ -40,7 +42,7 @@ Mesh plane(const Rational& off) {
 
 TEST_CASE("causes: vertices in the plane that were rounded away from an edge") {
   const Mesh mesh = plane(kOff);
-  const std::vector<Uncut> found = uncut_faces(mesh);
+  const std::vector<Uncut> found = found_in(mesh);
   REQUIRE(found.size() == 2);
   // Both are beside the edge that is listed, though the second is found beside what the first cuts.
   CHECK(found[0].face == Simplex{0, 1});
@@ -56,10 +58,10 @@ TEST_CASE("causes: vertices in the plane that were rounded away from an edge") {
         "2 vertices lie beside faces of simplices that are not cut there, at most ~ "
         "9.094947017729282e-13 from them, as if rounded: once cut, both sides have the same "
         "facets");
-  CHECK(uncut_faces(plane(Rational(1, 10))).empty());
+  CHECK(found_in(plane(Rational(1, 10))).empty());
   // Cut at another vertex, the facets do not match.
-  CHECK(uncut_faces(mesh_of({{0, 0}, {3, 0}, {1, kOff}, {2, -1}, {1, -2}, {1, 3}},
-                            {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}}))
+  CHECK(found_in(mesh_of({{0, 0}, {3, 0}, {1, kOff}, {2, -1}, {1, -2}, {1, 3}},
+                         {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}}))
             .empty());
 }
 
@@ -84,7 +86,7 @@ TEST_CASE("causes: a vertex in space that was rounded away from an edge, or from
   const Mesh on_triangle =
       mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, kOff}, {1, 1, -2}, {1, 1, 3}},
               {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
-  const std::vector<Uncut> found = uncut_faces(on_triangle);
+  const std::vector<Uncut> found = found_in(on_triangle);
   REQUIRE(found.size() == 1);
   CHECK(found[0].face == Simplex{0, 1, 2});
   CHECK(found[0].squared_distance == kOff * kOff);

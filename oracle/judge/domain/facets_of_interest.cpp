@@ -6,8 +6,8 @@ namespace circumspect::check {
 
 namespace {
 
-// The points of the mesh that are in walls, or vertices of facets that are of interest for
-// themselves.
+// The points of the mesh that are vertices of facets of two simplices that are of interest for
+// themselves, and in the plane those in walls.
 std::vector<bool> vertices_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                                        const VertexPlaces& places,
                                        const fast::SimplexFacts& known) {
@@ -15,22 +15,31 @@ std::vector<bool> vertices_of_interest(const ExactMesh& mesh, const PiecewiseLin
   const auto add = [&](const Simplex& vertices) {
     for (const Vertex v : vertices) of_interest[VertexPlaces::place(v)] = true;
   };
-  const auto add_from_domain = [&](const Simplex& vertices) {
-    for (const Vertex v : vertices) add({places.in_mesh[VertexPlaces::place(v)]});
-  };
-  const bool in_plane = complex.ambient_dimension() == 2;
-  if (in_plane) std::for_each(complex.segments.begin(), complex.segments.end(), add_from_domain);
-  for (const Polygon& polygon : complex.polygons) add_from_domain(polygon.vertices);
-  for (Vertex v = 0; mesh.points.names(v); ++v) {
-    const std::size_t place = VertexPlaces::place(v);
-    if (places.segment[place] != kNowhere || places.polygon[place] != kNowhere) add({v});
+  if (complex.ambient_dimension() == 2) {
+    for (const Simplex& segment : complex.segments) {
+      for (const Vertex v : segment) add({places.in_mesh[VertexPlaces::place(v)]});
+    }
+    for (Vertex v = 0; mesh.points.names(v); ++v) {
+      if (places.segment[VertexPlaces::place(v)] != kNowhere) add({v});
+    }
   }
   for (const Simplex& face : mesh.faces) {
     if (face.size() == complex.ambient_dimension()) add(face);
   }
-  for (const fast::FacetId facet : known.boundary) add(vertices_of(mesh, facet));
   for (const fast::FacetId facet : known.not_local) add(vertices_of(mesh, facet));
   return of_interest;
+}
+
+// Do all of the points lie in one polygon?
+bool are_in_a_polygon(const Simplex& points,
+                      const std::vector<std::vector<std::size_t>>& polygons_at) {
+  const std::vector<std::size_t>& first = polygons_at[VertexPlaces::place(points.front())];
+  return std::any_of(first.begin(), first.end(), [&](std::size_t p) {
+    return std::all_of(points.begin() + 1, points.end(), [&](Vertex v) {
+      const std::vector<std::size_t>& others = polygons_at[VertexPlaces::place(v)];
+      return std::binary_search(others.begin(), others.end(), p);
+    });
+  });
 }
 
 }  // namespace
@@ -43,16 +52,21 @@ std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLin
                                        const VertexPlaces& places,
                                        const fast::SimplexFacts& known) {
   const std::vector<bool> of_interest = vertices_of_interest(mesh, complex, places, known);
+  const auto polygons_at = polygons_at_vertices(mesh, complex, places);
+  auto boundary = known.boundary.begin();
   std::vector<FacetUse> uses;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
     const Simplex& simplex = mesh.simplices[s];
-    const auto others = std::count_if(simplex.begin(), simplex.end(), [&](Vertex v) {
-      return !of_interest[VertexPlaces::place(v)];
-    });
-    if (others > 1) continue;
     for (std::size_t place = 0; place < simplex.size(); ++place) {
-      if (others == 1 && of_interest[VertexPlaces::place(simplex[place])]) continue;
-      uses.push_back({sorted(facet_opposite(simplex, place)), s, place});
+      while (boundary != known.boundary.end() && *boundary < fast::FacetId(s, place)) ++boundary;
+      const bool is_single =
+          boundary != known.boundary.end() && *boundary == fast::FacetId(s, place);
+      Simplex facet = facet_opposite(simplex, place);
+      const bool counts = is_single || are_in_a_polygon(facet, polygons_at) ||
+                          std::all_of(facet.begin(), facet.end(), [&](Vertex v) {
+                            return of_interest[VertexPlaces::place(v)];
+                          });
+      if (counts) uses.push_back({sorted(std::move(facet)), s, place});
     }
   }
   std::stable_sort(uses.begin(), uses.end(),

@@ -15,7 +15,8 @@ Simplex vertices_of(const ExactMesh& mesh, fast::FacetId facet);
 
 // Some of facet_uses(mesh.simplices), in their order; of a facet all uses or none. Left out are
 // only facets of two simplices that are not known to be not locally Delaunay, are not listed beside
-// the simplices, and have a vertex that is in no wall: so they are in no wall either.
+// the simplices, and are in no wall: in space, no polygon has all of their vertices; in the plane,
+// one of these is in no segment.
 // Requires: Steiner points are located.
 std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                                        const VertexPlaces& places, const fast::SimplexFacts& known);

@@ -12,32 +12,10 @@
 namespace circumspect::check {
 namespace {
 
-// The polygons that each vertex of the mesh lies in, ascending.
-std::vector<std::vector<std::size_t>> polygons_at_vertices(const MeshedDomain& in) {
-  const PiecewiseLinearComplex& complex = in.complex;
-  std::vector<std::vector<std::size_t>> at_vertex(in.mesh.points.size());
-  std::vector<std::vector<std::size_t>> at_segment(complex.segments.size());
-  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
-    for (const Vertex v : complex.polygons[p].vertices) {
-      at_vertex[VertexPlaces::place(in.in_mesh(v))].push_back(p);
-    }
-    for (const Simplex& segment : complex.polygons[p].segments) {
-      const auto found =
-          std::lower_bound(complex.segments.begin(), complex.segments.end(), segment);
-      at_segment[static_cast<std::size_t>(found - complex.segments.begin())].push_back(p);
-    }
-  }
-  for (std::size_t v = 0; v < at_vertex.size(); ++v) {
-    if (in.places.segment[v] != kNowhere) at_vertex[v] = at_segment[in.places.segment[v]];
-    if (in.places.polygon[v] != kNowhere) at_vertex[v] = {in.places.polygon[v]};
-  }
-  return at_vertex;
-}
-
 // For each polygon the facets and listed triangles with all vertices in it, ascending, each once.
 // Of these some may span a hole or a notch of it.
 std::vector<std::vector<Simplex>> triangles_at_polygons(const MeshedDomain& in) {
-  const auto at_vertex = polygons_at_vertices(in);
+  const auto at_vertex = polygons_at_vertices(in.mesh, in.complex, in.places);
   std::vector<std::vector<Simplex>> candidates(in.complex.polygons.size());
   const auto file = [&](const Simplex& triangle) {
     const auto& first = at_vertex[VertexPlaces::place(triangle[0])];

@@ -188,7 +188,8 @@ class FacetsAtWalls {
     if (walls.empty() || !match_vertices()) return false;
     segments_ = places_of<2>(complex_.segments);
     walls_ = places_of<3>(walls);
-    return walls_have_all_cells(walls) && see_simplices() && are_all_walls(known.boundary) &&
+    // The first question is the one to which a mesh with a hole says no.
+    return are_all_walls(known.boundary) && walls_have_all_cells(walls) && see_simplices() &&
            std::all_of(faces.begin(), faces.end(),
                        [&](const Simplex& face) { return is_known_face(face); });
   }

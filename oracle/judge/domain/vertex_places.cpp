@@ -74,6 +74,9 @@ VertexPlaces match_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex&
 
 void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places) {
+  bool has_any = false;
+  for (Vertex v = 0; mesh.points.names(v); ++v) has_any |= places.is_steiner(v);
+  if (!has_any) return;
   const CellBoxes boxes(mesh.points);
   std::vector<Simplex> segments;
   segments.reserve(complex.segments.size());
@@ -101,6 +104,31 @@ void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& 
       break;
     }
   }
+}
+
+std::vector<std::vector<std::size_t>> polygons_at_vertices(const ExactMesh& mesh,
+                                                           const PiecewiseLinearComplex& complex,
+                                                           const VertexPlaces& places) {
+  std::vector<std::vector<std::size_t>> at_vertex(mesh.points.size());
+  std::vector<std::vector<std::size_t>> at_segment(complex.segments.size());
+  const bool any_on_segments = std::any_of(places.segment.begin(), places.segment.end(),
+                                           [](std::size_t s) { return s != kNowhere; });
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    for (const Vertex v : complex.polygons[p].vertices) {
+      at_vertex[VertexPlaces::place(places.in_mesh[VertexPlaces::place(v)])].push_back(p);
+    }
+    if (!any_on_segments) continue;
+    for (const Simplex& segment : complex.polygons[p].segments) {
+      const auto found =
+          std::lower_bound(complex.segments.begin(), complex.segments.end(), segment);
+      at_segment[static_cast<std::size_t>(found - complex.segments.begin())].push_back(p);
+    }
+  }
+  for (std::size_t v = 0; v < at_vertex.size(); ++v) {
+    if (places.segment[v] != kNowhere) at_vertex[v] = at_segment[places.segment[v]];
+    if (places.polygon[v] != kNowhere) at_vertex[v] = {places.polygon[v]};
+  }
+  return at_vertex;
 }
 
 SteinerPoints count_steiner_points(const VertexPlaces& places) {

@@ -39,6 +39,12 @@ VertexPlaces match_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex&
 void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places);
 
+// The polygons that each point of the mesh lies in, ascending.
+// Requires: Steiner points are located.
+std::vector<std::vector<std::size_t>> polygons_at_vertices(const ExactMesh& mesh,
+                                                           const PiecewiseLinearComplex& complex,
+                                                           const VertexPlaces& places);
+
 SteinerPoints count_steiner_points(const VertexPlaces& places);
 
 // domain.vertex-missing, triangulation.unused-point and, if the claim allows no Steiner points,

@@ -42,11 +42,6 @@ conditions::AtRidge at_hinge(const SiteRow<kDimension>& a, const SiteRow<kDimens
   return conditions::at_ridge(
       2, [&] { return side(a, b); }, [&] { return side(b, a); }, are_folded);
 }
-template <std::size_t kDimension>
-bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimension>& b,
-                           Stages& stages) {
-  return at_hinge<kDimension>(a, b, stages) == conditions::AtRidge::kGood;
-}
 
 template <std::size_t kDimension, typename Index, typename Link>
 class Boundary {

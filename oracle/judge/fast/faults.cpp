@@ -7,23 +7,25 @@
 #include <utility>
 
 #include "oracle/judge/conditions/conditions.hpp"
-#include "oracle/judge/fast/boundary.hpp"
+#include "oracle/judge/fast/boundary_faults.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/fast/in_chunks.hpp"
+#include "oracle/judge/fast/list_in_chunks.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
-#include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 
 namespace circumspect::fast {
 namespace {
 
-constexpr std::size_t kSimplicesInChunk = std::size_t{1} << 12;
-
 template <std::size_t kDimension, typename Index>
 class FaultFinder {
  public:
-  FaultFinder(const MeshView<kDimension, Index>& mesh, Question question, unsigned threads)
-      : mesh_(mesh), question_(question), threads_(threads), orientations_(mesh.size(), 0) {}
+  FaultFinder(const MeshView<kDimension, Index>& mesh, Question question, unsigned threads,
+              bool is_whole)
+      : mesh_(mesh),
+        question_(question),
+        threads_(threads),
+        is_whole_(is_whole),
+        orientations_(mesh.size(), 0) {}
 
   tl::expected<Faults, Undecided> run(std::optional<SweptMesh> known) {
     if (known && go_on_from(std::move(*known))) return std::move(faults_);
@@ -32,7 +34,7 @@ class FaultFinder {
     orientations_.assign(mesh_.size(), 0);
     if (facets_are_sound()) {
       list_turned();
-      judge_boundary();
+      if (is_whole_) judge_boundary();
       return std::move(faults_);
     }
     faults_.unused = points_that_are_no_vertices();
@@ -47,21 +49,9 @@ class FaultFinder {
   using Row = std::span<const Index, kVertices>;
   using Set = std::array<Index, kVertices>;
 
-  // Returns, in order, what look(i, list, stages) adds to the list for each i below `count`.
   template <class Item, class Look>
   std::vector<Item> list_of(std::size_t count, const Look& look) {
-    std::vector<std::vector<Item>> parts(chunks_of(count, kSimplicesInChunk));
-    std::vector<Stages> stages(parts.size());
-    in_chunks(count, kSimplicesInChunk, threads_,
-              [&](std::size_t chunk, std::size_t first, std::size_t last) {
-                for (std::size_t i = first; i < last; ++i) look(i, parts[chunk], stages[chunk]);
-              });
-    std::vector<Item> all;
-    for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
-      all.insert(all.end(), parts[chunk].begin(), parts[chunk].end());
-      faults_.stages = sum(faults_.stages, stages[chunk]);
-    }
-    return all;
+    return list_in_chunks<Item>(count, threads_, faults_.stages, look);
   }
 
   SiteRow<kDimension> sites_of(std::size_t s) const {
@@ -323,46 +313,6 @@ class FaultFinder {
     return std::nullopt;
   }
 
-  struct RidgeUse {
-    std::array<Index, kDimension - 1> ridge;  // ascending
-    FacetId facet;
-    Index far;  // the vertex of the facet off the ridge
-  };
-
-  std::vector<RidgeUse> ridge_uses(const std::vector<FacetId>& boundary) const {
-    std::vector<RidgeUse> uses;
-    uses.reserve(boundary.size() * kDimension);
-    for (const FacetId facet : boundary) {
-      const Row row = mesh_.row(facet.simplex());
-      for (std::size_t off = 0; off < kVertices; ++off) {
-        if (off == facet.place()) continue;
-        RidgeUse use{{}, facet, row[off]};
-        std::size_t size = 0;
-        for (std::size_t i = 0; i < kVertices; ++i) {
-          if (i != off && i != facet.place()) use.ridge[size++] = row[i];
-        }
-        std::sort(use.ridge.begin(), use.ridge.end());
-        uses.push_back(use);
-      }
-    }
-    std::sort(uses.begin(), uses.end(), [](const RidgeUse& a, const RidgeUse& b) {
-      return std::tie(a.ridge, a.facet) < std::tie(b.ridge, b.facet);
-    });
-    return uses;
-  }
-
-  // As makes_no_reflex_angle() requires: ridge, facet's vertex off it, simplex's vertex off the
-  // facet.
-  SiteRow<kDimension> hinge_of(const RidgeUse& use) const {
-    SiteRow<kDimension> row;
-    for (std::size_t i = 0; i + 1 < kDimension; ++i) {
-      row[i] = mesh_.template site<false>(use.ridge[i]);
-    }
-    row[kDimension - 1] = mesh_.template site<false>(use.far);
-    row[kDimension] = mesh_.template site<false>(mesh_.row(use.facet.simplex())[use.facet.place()]);
-    return row;
-  }
-
   void judge_boundary() {
     std::vector<FacetId> boundary;
     for (std::size_t s = 0; s < mesh_.size(); ++s) {
@@ -370,56 +320,13 @@ class FaultFinder {
         if (!beyond(s, place)) boundary.emplace_back(s, place);
       }
     }
-    judge_ridges(ridge_uses(boundary));
-    if (faults_.ridges.empty()) judge_sample_point(boundary);
-  }
-
-  void judge_ridges(const std::vector<RidgeUse>& uses) {
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      if (i == 0 || uses[i].ridge != uses[i - 1].ridge) starts.push_back(i);
-    }
-    starts.push_back(uses.size());
-    const auto faulty = list_of<std::size_t>(
-        starts.size() - 1, [&](std::size_t group, std::vector<std::size_t>& found, Stages& stages) {
-          const std::size_t first = starts[group], count = starts[group + 1] - first;
-          if (count != 2 || !makes_no_reflex_angle<kDimension>(hinge_of(uses[first]),
-                                                               hinge_of(uses[first + 1]), stages)) {
-            found.push_back(group);
-          }
-        });
-    for (const std::size_t group : faulty) {
-      FaultyRidge& ridge = faults_.ridges.emplace_back();
-      const auto& vertices = uses[starts[group]].ridge;
-      ridge.vertices.assign(vertices.begin(), vertices.end());
-      for (std::size_t i = starts[group]; i < starts[group + 1]; ++i) {
-        ridge.facets.push_back(uses[i].facet);
-      }
-    }
-  }
-
-  void judge_sample_point(const std::vector<FacetId>& boundary) {
-    const SamplePoint<kDimension> sample = barycentre_of<kDimension>(sites_of(0), 0);
-    faults_.beyond = list_of<FacetId>(
-        boundary.size(), [&](std::size_t i, std::vector<FacetId>& found, Stages& stages) {
-          const FacetId facet = boundary[i];
-          const int side =
-              orientation_with(sites_of(facet.simplex()), facet.place(), sample, stages) *
-              orientations_[facet.simplex()];
-          if (!conditions::is_strictly_inside(side)) found.push_back(facet);
-        });
-    if (!faults_.beyond.empty()) return;
-    faults_.covering = list_of<std::size_t>(
-        mesh_.size(), [&](std::size_t s, std::vector<std::size_t>& found, Stages& stages) {
-          if (s > 0 && covers(sites_of(s), orientations_[s], sample, stages)) {
-            found.push_back(s);
-          }
-        });
+    BoundaryFaults<kDimension, Index>(mesh_, orientations_, threads_, faults_).judge(boundary);
   }
 
   const MeshView<kDimension, Index>& mesh_;
   Question question_;
   unsigned threads_;
+  bool is_whole_;
   std::vector<std::int8_t> orientations_;  // 0: the simplex is not sound
   Faults faults_;
 };
@@ -429,7 +336,13 @@ class FaultFinder {
 template <std::size_t kDimension, typename Index>
 tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
                                        unsigned threads, std::optional<SweptMesh> swept) {
-  return FaultFinder<kDimension, Index>(mesh, question, threads).run(std::move(swept));
+  return FaultFinder<kDimension, Index>(mesh, question, threads, true).run(std::move(swept));
+}
+
+template <std::size_t kDimension, typename Index>
+tl::expected<Faults, Undecided> faults_of_part(const MeshView<kDimension, Index>& part,
+                                               Question question, unsigned threads) {
+  return FaultFinder<kDimension, Index>(part, question, threads, false).run({});
 }
 
 template tl::expected<Faults, Undecided> faults(const MeshView<2, std::int32_t>&, Question,
@@ -440,5 +353,9 @@ template tl::expected<Faults, Undecided> faults(const MeshView<3, std::int32_t>&
                                                 unsigned, std::optional<SweptMesh>);
 template tl::expected<Faults, Undecided> faults(const MeshView<3, std::int64_t>&, Question,
                                                 unsigned, std::optional<SweptMesh>);
+template tl::expected<Faults, Undecided> faults_of_part(const MeshView<2, std::int32_t>&, Question,
+                                                        unsigned);
+template tl::expected<Faults, Undecided> faults_of_part(const MeshView<3, std::int32_t>&, Question,
+                                                        unsigned);
 
 }  // namespace circumspect::fast

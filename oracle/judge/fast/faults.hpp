@@ -12,6 +12,7 @@
 
 #include <tl/expected.hpp>
 
+#include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/predicates/site.hpp"
@@ -29,6 +30,9 @@ struct FacetPair {
 struct FaultyRidge {
   std::vector<std::int64_t> vertices = {};  // ascending
   std::vector<FacetId> facets = {};         // all boundary facets that have it
+  // What is wrong; which of two facets is beyond the other depends on the order in which they were
+  // asked.
+  conditions::AtRidge kind = conditions::AtRidge::kNotClosed;
 };
 
 // Anything that is not listed is in order. If a stage finds faults, later stages are skipped, and
@@ -99,5 +103,11 @@ struct SweptMesh {
 template <std::size_t kDimension, typename Index>
 tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
                                        unsigned threads, std::optional<SweptMesh> swept = {});
+
+// The same for some simplices of a mesh, whose boundary is none of the mesh: the lists of ridges
+// and of what concerns the sample point stay empty.
+template <std::size_t kDimension, typename Index>
+tl::expected<Faults, Undecided> faults_of_part(const MeshView<kDimension, Index>& part,
+                                               Question question, unsigned threads);
 
 }  // namespace circumspect::fast

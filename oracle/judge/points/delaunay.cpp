@@ -11,6 +11,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/triple.hpp"
 #include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/points/simplices.hpp"
@@ -150,7 +151,8 @@ class Located {
   Located(const ExactMesh& mesh, const std::vector<FacetUse>& uses)
       : mesh_(mesh),
         row_size_(mesh.simplices.front().size()),
-        across_(mesh.simplices.size() * row_size_, kNoSimplex) {
+        across_(mesh.simplices.size() * row_size_, kNoSimplex),
+        own_(mesh.simplices.size(), 0) {
     for (const auto group : ByFacet(uses)) {
       if (group.size() != 2) continue;
       across_[group[0].simplex * row_size_ + group[0].opposite] = group[1].simplex;
@@ -165,8 +167,10 @@ class Located {
     return static_cast<std::size_t>(mesh_.simplices[s][place]);
   }
   int side(std::size_t s, std::size_t place, std::size_t point) const {
-    return barycentric_sign(mesh_.points.configuration(), mesh_.simplices[s], place,
-                            static_cast<Vertex>(point));
+    const Configuration& points = mesh_.points.configuration();
+    signed char& own = own_[s];
+    if (own == 0) own = static_cast<signed char>(orientation(points, mesh_.simplices[s]));
+    return barycentric_sign(points, mesh_.simplices[s], own, place, static_cast<Vertex>(point));
   }
   std::size_t across(std::size_t s, std::size_t place) const {
     return across_[s * row_size_ + place];
@@ -175,7 +179,8 @@ class Located {
  private:
   const ExactMesh& mesh_;
   std::size_t row_size_;
-  std::vector<std::size_t> across_;  // the facet opposite each vertex of each simplex
+  std::vector<std::size_t> across_;       // the facet opposite each vertex of each simplex
+  mutable std::vector<signed char> own_;  // the orientation of each simplex that was asked; 0: none
 };
 
 // The first in the list of all simplices that contain a point: a point on a face is in several, and
