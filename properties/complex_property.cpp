@@ -85,10 +85,36 @@ void cut_one(Dice& dice, ListedComplex& mesh) {
   mesh.simplices.push_back(half);
 }
 
+// One more simplex on the far side of a facet of one that is there. A facet of its own lies in that
+// plane, where a corner may be within the other facet while edges of both cross.
+void lay_beside(Dice& dice, ListedComplex& mesh) {
+  const Simplex simplex = any(dice, mesh.simplices);
+  if (simplex.size() < 3) return;
+  std::vector<Point> corners;
+  for (const Vertex v : simplex) corners.push_back(mesh.points.at(static_cast<std::size_t>(v)));
+  const Point apex = corners.back(), &origin = corners.front();
+  corners.pop_back();
+  Simplex added;
+  const auto add = [&](const Point& point) {
+    added.push_back(static_cast<Vertex>(mesh.points.size()));
+    mesh.points.push_back(point);
+  };
+  for (std::size_t count = corners.size(); count > 0; --count) {
+    Point point = origin;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const Rational part = Rational(1, 4) * dice.within(-2L, 4L);
+      point = point + part * (corners[i] - origin);
+    }
+    add(point);
+  }
+  add(origin + origin - apex);
+  mesh.simplices.push_back(added);
+}
+
 void break_once(Dice& dice, ListedComplex& mesh) {
   if (mesh.simplices.empty()) return;
   const std::size_t d = mesh.points.front().size();
-  switch (dice.below(9)) {
+  switch (dice.below(10)) {
     case 0:
       mesh.points[dice.below(mesh.points.size())] = small_point(dice, d, 3);
       return;
@@ -123,6 +149,8 @@ void break_once(Dice& dice, ListedComplex& mesh) {
     }
     case 7:
       return add_part(dice, mesh);
+    case 8:
+      return lay_beside(dice, mesh);
     default:
       erase_any(dice, mesh.simplices);
   }

@@ -21,8 +21,8 @@ namespace {
 // The (weighted) Delaunay triangulation of some points of a grid. Each is a multiple of three, so
 // that barycentres are points of a grid as well, and weights are multiples of squared distances, so
 // that lifted points lie in the planes of others. Half of the sets are triangulated in a mirror:
-// of several triangulations it is another one that is canonical there. `taken`: points that are
-// others.
+// of several triangulations it is another one that is canonical there. One in eight is triangulated
+// by other weights, and so not locally Delaunay. `taken`: points that are others.
 std::optional<ArrayMesh> drawn_mesh(std::size_t d, bool weighted, std::set<Point>& taken,
                                     properties::Dice& dice) {
   std::vector<Point> points;
@@ -39,7 +39,10 @@ std::optional<ArrayMesh> drawn_mesh(std::size_t d, bool weighted, std::set<Point
   if (points.empty()) return std::nullopt;
   const PointSet set = weighted ? PointSet(points, weights) : PointSet(points);
   if (set.dimension() != static_cast<int>(d)) return std::nullopt;
-  ArrayMesh mesh = array_mesh(set, delaunay::bowyer_watson(set).simplices());
+  std::reverse(weights.begin(), weights.end());
+  const PointSet& of = dice.below(8) == 0 ? PointSet(points, weights) : set;
+  const Triangulation triangulation = delaunay::bowyer_watson(of);
+  ArrayMesh mesh = array_mesh(set, triangulation.simplices());
   const bool is_mirrored = dice.below(2) == 0;
   for (std::size_t i = 0; is_mirrored && i < mesh.coordinates.size(); i += d) {
     mesh.coordinates[i] = 0 - mesh.coordinates[i];
@@ -58,8 +61,7 @@ void append(ArrayMesh& mesh, const ArrayMesh& other) {
 }
 
 // A point that no simplex names: it is equal to another, but for the signs of zeros.
-void repeat_point(ArrayMesh& mesh, properties::Dice& dice) {
-  const std::size_t v = dice.below(mesh.points());
+void repeat_point(ArrayMesh& mesh, std::size_t v, properties::Dice& dice) {
   for (std::size_t axis = 0; axis < mesh.dimension; ++axis) {
     const double x = mesh.coordinates[v * mesh.dimension + axis];
     mesh.coordinates.push_back(x == 0 ? -x : x);
@@ -67,10 +69,34 @@ void repeat_point(ArrayMesh& mesh, properties::Dice& dice) {
   if (!mesh.weights.empty()) mesh.weights.push_back(static_cast<double>(dice.below(20)));
 }
 
+// Points between vertices of one simplex: in it alone, or in what several have in common; hidden,
+// or so heavy that they may not be.
+void add_points_within(ArrayMesh& mesh, std::set<Point>& taken, properties::Dice& dice) {
+  const std::size_t d = mesh.dimension;
+  for (std::size_t more = 1 + dice.below(9); more > 0; --more) {
+    const auto row = mesh.row(dice.below(mesh.size()));
+    const std::size_t corners = 2 + dice.below(d);
+    std::vector<double> at(d, 0);
+    for (std::size_t i = 0; i < corners; ++i) {
+      for (std::size_t axis = 0; axis < d; ++axis) {
+        at[axis] += mesh.coordinates[static_cast<std::size_t>(row[i]) * d + axis];
+      }
+    }
+    Point point;
+    for (double& x : at) point.push_back(exact_value(x /= static_cast<double>(corners)));
+    if (!taken.insert(point).second) continue;
+    mesh.coordinates.insert(mesh.coordinates.end(), at.begin(), at.end());
+    mesh.weights.push_back(dice.below(8) == 0 ? 100 : -100);
+  }
+}
+
 void alter(ArrayMesh& mesh, bool weighted, std::set<Point>& taken, properties::Dice& dice) {
-  switch (dice.below(7)) {
-    case 0:
-      return repeat_point(mesh, dice);
+  switch (dice.below(9)) {
+    case 0: {
+      const std::size_t v = dice.below(mesh.points());
+      for (std::size_t times = 1 + dice.below(3); times > 0; --times) repeat_point(mesh, v, dice);
+      return;
+    }
     case 1:  // what is covered twice
       if (const auto other = drawn_mesh(mesh.dimension, weighted, taken, dice))
         append(mesh, *other);
@@ -80,7 +106,7 @@ void alter(ArrayMesh& mesh, bool weighted, std::set<Point>& taken, properties::D
       return;
     case 3:  // two simplices on one side of a facet, if it is a vertex opposite one
       mesh.simplices[dice.below(mesh.simplices.size())] =
-          static_cast<std::int64_t>(dice.below(mesh.points()));
+          static_cast<std::int64_t>(dice.below(mesh.points() + 1));
       return;
     case 4:
     case 5:  // of a point that no simplex names, if there is one
@@ -89,6 +115,12 @@ void alter(ArrayMesh& mesh, bool weighted, std::set<Point>& taken, properties::D
         if (std::count(mesh.simplices.begin(), mesh.simplices.end(), named) > 0) continue;
         mesh.weights[v] += static_cast<double>(9 * dice.below(3));
       }
+      return;
+    case 6:
+      if (weighted) add_points_within(mesh, taken, dice);
+      return;
+    case 7:  // one part has finer numbers than the others
+      mesh.coordinates[dice.below(mesh.coordinates.size())] += 0x1p-20;
       return;
     default:
       return;

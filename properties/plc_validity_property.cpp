@@ -2,6 +2,7 @@
 // determinants, against Definition 4.3 (oracle/judge/definition/linear_cells.hpp).
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -164,12 +165,61 @@ void show(const PiecewiseLinearInput& input) {
   RC_LOG(out.str());
 }
 
+// The same cells with five vertices more in each edge, near one of its ends, where nothing of such
+// a small grid meets it. So polygons are large, for which there are other searches, and nothing
+// else changes.
+PiecewiseLinearInput divided(const PiecewiseLinearInput& input) {
+  PiecewiseLinearInput finer = input;
+  finer.segments.clear();
+  std::map<Simplex, std::vector<Vertex>> paths;  // without the last vertex
+  const auto pieces_of = [&](Vertex from, Vertex to) {
+    const auto [made, is_new] = paths.try_emplace({from, to});
+    const auto back = paths.find({to, from});
+    if (!is_new) return made->second;
+    made->second = {from};
+    for (long part = 1; part <= 5 && from != to; ++part) {
+      if (back != paths.end()) {
+        made->second.push_back(back->second[static_cast<std::size_t>(6 - part)]);
+        continue;
+      }
+      const Point &p = input.points[static_cast<std::size_t>(from)],
+                  &q = input.points[static_cast<std::size_t>(to)];
+      made->second.push_back(static_cast<Vertex>(finer.points.size()));
+      finer.points.push_back(p + Rational(part, 101) * (q - p));
+    }
+    return made->second;
+  };
+  const auto add_pieces = [&](const std::vector<Vertex>& ends, auto& to) {
+    std::vector<Vertex> all = pieces_of(ends[0], ends[1]);
+    all.push_back(ends[1]);
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) to.push_back({all[i], all[i + 1]});
+  };
+  for (const auto& segment : input.segments) add_pieces(segment, finer.segments);
+  for (PolygonLines& polygon : finer.polygons) {
+    const auto lines = std::exchange(polygon.lines, {});
+    for (const auto& line : lines) {
+      if (line.size() == 2) {
+        add_pieces(line, polygon.lines);
+        continue;
+      }
+      auto& finer_line = polygon.lines.emplace_back();
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const auto piece = pieces_of(line[i], line[(i + 1) % line.size()]);
+        finer_line.insert(finer_line.end(), piece.begin(), piece.end());
+      }
+    }
+  }
+  return finer;
+}
+
 void agree(const PiecewiseLinearInput& input, int& valid) {
   show(input);
   const auto complex = validated(input);
   valid += complex.has_value() ? 1 : 0;
   if (!complex) RC_LOG(std::string(identifier(complex.error().front().kind)));
   RC_ASSERT(complex.has_value() == ByDefinition(input).is_complex());
+  if (*below(4) > 0) return;
+  RC_ASSERT(complex.has_value() == validated(divided(input), 1).has_value());
 }
 
 TEST_CASE("PLC validity in the plane agrees with pairwise intersections (Definition 4.3)") {

@@ -3,10 +3,13 @@
 #include "oracle/judge/quality/survey.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include <doctest/doctest.h>
 
 #include "inputs/dice.hpp"
+#include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/topology.hpp"
 #include "properties/arguments/run.hpp"
@@ -198,6 +201,87 @@ TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a th
   CHECK(strip.euler_characteristic == 0);
   CHECK(strip.boundary_parts == 1);
   CHECK(!strip.genus);  // it has one side only
+}
+
+// In how many parts are some faces, if those with a common face of this size are connected?
+std::size_t parts_of(const std::vector<Simplex>& faces_in, std::size_t size) {
+  DisjointSets sets(faces_in.size());
+  std::map<Simplex, std::size_t> first;
+  std::set<std::size_t> parts;
+  for (std::size_t i = 0; i < faces_in.size(); ++i) {
+    for (const Simplex& face : faces_of({faces_in[i]}, size)) {
+      sets.unite(i, first.try_emplace(face, i).first->second);
+    }
+  }
+  for (std::size_t i = 0; i < faces_in.size(); ++i) parts.insert(sets.find(i));
+  return parts.size();
+}
+
+// 2 − 2g = χ + circles for each part, if the triangles can be turned so that any two pass their
+// common edge in opposite directions: all ways to turn them are tried.
+std::optional<std::size_t> genus_by_trying(const std::vector<Simplex>& triangles) {
+  std::map<Simplex, std::vector<std::pair<std::size_t, bool>>> uses;  // is it passed upwards?
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vertex a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+      uses[sorted({a, b})].emplace_back(t, a < b);
+    }
+  }
+  std::vector<Simplex> open;
+  for (const auto& [edge, of_edge] : uses) {
+    if (of_edge.size() > 2) return std::nullopt;
+    if (of_edge.size() == 1) open.push_back(edge);
+  }
+  bool is_orientable = false;
+  for (std::size_t turned = 0; turned < std::size_t{1} << triangles.size(); ++turned) {
+    is_orientable |= std::all_of(uses.begin(), uses.end(), [&](const auto& of_edge) {
+      const auto upwards = [&](const auto& use) {
+        return use.second != ((turned >> use.first & 1) != 0);
+      };
+      const auto& both = of_edge.second;
+      return both.size() == 1 || upwards(both[0]) != upwards(both[1]);
+    });
+  }
+  const auto count = [](std::size_t size) { return static_cast<int>(size); };
+  const int twice = 2 * count(parts_of(triangles, 2)) - count(parts_of(open, 1)) +
+                    count(uses.size()) - count(triangles.size()) -
+                    count(faces_of(triangles, 1).size());
+  if (!is_orientable || twice < 0 || twice % 2 != 0) return std::nullopt;
+  return static_cast<std::size_t>(twice / 2);
+}
+
+// Points of a moment curve, of which no four are in one plane.
+TEST_CASE("topology: handles are as many as the definition has, if the surface has two sides") {
+  Dice dice(20261127);
+  std::map<std::optional<std::size_t>, std::size_t> seen;
+  for (int round = 0; round < 1500; ++round) {
+    const std::size_t vertices = 5 + dice.below(2), size = 3 + dice.below(2);
+    std::vector<Point> points;
+    std::vector<Simplex> all = {first_subset(vertices)}, some;
+    for (long t = 0; t < static_cast<long>(vertices); ++t) points.push_back({t, t * t, t * t * t});
+    for (const Simplex& simplex : faces_of(all, size)) {
+      if (dice.below(faces_of(all, size).size()) < (size == 3 ? 8 : 3)) some.push_back(simplex);
+    }
+    std::vector<Simplex> surface;
+    for (const Simplex& triangle : faces_of(some, 3)) {
+      const auto has_it = [&](const Simplex& simplex) { return has_face(simplex, triangle); };
+      if (size == 3 || std::count_if(some.begin(), some.end(), has_it) == 1)
+        surface.push_back(triangle);
+    }
+    if (some.empty() || surface.size() > 12) continue;
+    // Of tetrahedra three of which share a facet, the boundary may be open and enclose nothing.
+    std::optional<std::size_t> expected = genus_by_trying(surface);
+    if (size == 4) {
+      for (const Simplex& edge : faces_of(surface, 2)) {
+        const auto has_it = [&](const Simplex& triangle) { return has_face(triangle, edge); };
+        if (std::count_if(surface.begin(), surface.end(), has_it) == 1) expected.reset();
+      }
+    }
+    CHECK(topology(listed(points, some)).genus == expected);
+    ++seen[expected];
+  }
+  CHECK(seen[std::nullopt] > 100);
+  CHECK(seen[0] > 100);
 }
 
 TEST_CASE("sizes are exact where they are rational, and correctly rounded elsewhere") {
