@@ -176,8 +176,7 @@ Proof.
 Qed.
 
 (** Proposition 4.13, of the criteria of Propositions 4.5 and 4.7: among all triangulations of the
-    domain (in none of which anything dangles) a CDT has at every point the least interpolation
-    error, *)
+    domain in which nothing dangles, a CDT has at every point the least interpolation error, *)
 Theorem proposition_4_13 P (T U : list (simplex d)) p e e' : (2 <= d)%nat -> proper_domain P ->
   cdt P T -> solid T -> plc_triangulation P U -> solid U ->
   interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> e <= e'.

@@ -43,8 +43,8 @@ Record part := Part {
 }.
 (** A polygon in space: the plane where <normal, p> = offset, and seen along an axis a domain in the
     plane, with its own certificate; which point of the mesh is above which of its points; where in
-    the mesh its kept triangles are; and its hole points, of which that domain has the
-    projections. *)
+    the mesh its kept triangles are; and its hole points, whose projections are those of that
+    domain. *)
 Record polygon_entry := PolygonEntry {
   normal : list Z; offset : Z; axis : nat;
   plane_mesh : certificate; plane_part : part;
@@ -172,7 +172,7 @@ Definition underlying (P : domain) (q : point d) : Prop := exists X, In X (cells
 (** ** Definition 4.3
 
     A linear cell, with its dimension and its affine hull.  What the domain fills is a cell if walls
-    enclose it; the hull of its vertices, of which no boundary is listed, is none. *)
+    enclose it; the hull of its vertices is none, since its boundary is not listed. *)
 Record linear_cell := LinearCell {
   cell_dimension : nat; affine_hull : point d -> Prop; cell_points : point d -> Prop }.
 Definition linear_cells (P : domain) : list linear_cell :=

@@ -2,11 +2,11 @@
 From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation.
 From Circumspect Require Import ImpossibleChecker MeshAlone AloneRefutation GiftWrapping Honest.
-From Circumspect Require Import Definitions Domains DomainRules Complexes.
+From Circumspect Require Import FlatRefutation Definitions Domains DomainRules Complexes Flats.
 From Circumspect Require Uniqueness Soundness RefutationSound DomainSound Solid ImpossibleSound.
 From Circumspect Require Completeness EveryTriangulation Separated MeshAloneSound AloneRefuted.
 From Circumspect Require BuiltDelaunay AnyOrder Judged SettlingSound ComplexSound DomainRefuted.
-From Circumspect Require WholeSound.
+From Circumspect Require WholeSound FlatRefuted.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -70,6 +70,14 @@ Proof.
   cbn [whole_holds] in A. apply andb_prop in A. destruct A as [A _]. apply andb_prop in A.
   destruct A as [_ A].
   destruct e; try discriminate; listed.
+Qed.
+
+Theorem rules_of_flats D x : refute_flat D x = true ->
+  In (rule_name (rule_of (because (flat_mesh x))))
+  ["simplex.wrong-dimension"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.
+Proof.
+  intros A. apply FlatRefuted.refute_flat_rule in A. destruct A as [(k & _ & B) _].
+  destruct (because (flat_mesh x)); try contradiction; listed.
 Qed.
 
 (** ** What there is not, and what there is once *)

@@ -1,11 +1,11 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v] or, of
-    a mesh alone, of [Complexes.v] or, of hulls, of points of a plane in space and of surfaces, of
+    Every notion is one of [Definitions.v]; of domains, of [Domains.v] and [DomainRules.v]; of a
+    mesh alone, of [Complexes.v]; of hulls, of points that do not span and of surfaces, of
     [Hulls.v], [Flats.v] and [Surfaces.v].  [check], [refute], [check_domain] and so on are the
     functions that the program evaluates; how they decide ([checker/Checker.v],
-    [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.  The proofs are elsewhere.  The theorems of the book
-    stand in [BookTheorems.v].
+    [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.  The proofs are
+    elsewhere.  The theorems of the book stand in [BookTheorems.v].
 
     What a line of the program does not say:
     - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
@@ -18,7 +18,7 @@
     - anything within a tolerance: nothing is proved of [check --within], which moves points; what
       is verified is of the coordinates in the file, as they are;
     - of a mesh alone, that it is a manifold, connected, closed or oriented;
-    - of points of a plane in space, which of several Delaunay triangulations it is;
+    - of points that do not span, which of several Delaunay triangulations it is;
     - that a mesh is a CDT, or that the domain is a piecewise linear complex, where a triangle in
       space dangles or, of the latter, where anything does; nor is a domain in which something
       dangles said to have no triangulation;
@@ -34,9 +34,11 @@
 From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
-From Circumspect Require Import HullChecker FlatChecker SurfaceChecker GiftWrapping Honest.
+From Circumspect Require Import HullChecker FlatChecker LineChecker FlatRefutation.
+From Circumspect Require Import SurfaceRefutation GiftWrapping Honest.
 From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats Surfaces.
-From Circumspect Require MainProofs DanglingSound HullSound FlatSound SurfaceSound.
+From Circumspect Require MainProofs DanglingSound HullSound FlatSound LineSound FlatRefuted.
+From Circumspect Require SurfaceSound SurfaceRefuted.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -231,7 +233,7 @@ Theorem rules_of_complexes D x : refute_alone D x = true ->
    "complex.hanging-vertex"; "complex.faces-cross"; "complex.points-equal"]%string.
 Proof. apply MainProofs.rules_of_complexes. Qed.
 
-(** ** Convex hulls, points of a plane in space, and surfaces *)
+(** ** Convex hulls, points that do not span, and surfaces *)
 
 (** An accepted certificate of the claim [convex-hull]: the points but the summit, number [k], span
     the plane or space, and the simplices without the summit are the boundary of their hull. *)
@@ -254,6 +256,26 @@ Theorem verified_flat p x s : judge_flat p x s = Holds ->
   end.
 Proof. apply FlatSound.judge_flat_sound. Qed.
 
+(** An accepted certificate of points on a line, or of one point: the simplices are a Delaunay
+    triangulation of them.  (On a line there is one triangulation.) *)
+Theorem verified_line D c : check_line D c = Accepted ->
+  let S := line_points (dimension_of D) c in
+  NoDup S /\ exists k, (k <= 1)%nat /\ of_dimension k S /\
+    flat_delaunay_triangulation k S (line_simplices (dimension_of D) c).
+Proof. apply LineSound.check_line_sound. Qed.
+
+(** An accepted refutation of points that do not span: they have a dimension, and the claim is false
+    of them, because the rule that is printed is broken. *)
+Theorem verified_not_flat D x : refute_flat D x = true ->
+  let S := refuted_points D (flat_mesh x) in let L := refuted_simplices D (flat_mesh x) in
+  (exists k, of_dimension k S /\ broken_of_flat k S L (rule_of (because (flat_mesh x)))) /\
+  ~ claims_flat (refuted (flat_mesh x)) S L.
+Proof. apply FlatRefuted.refute_flat_rule. Qed.
+Theorem rules_of_flats D x : refute_flat D x = true ->
+  In (rule_name (rule_of (because (flat_mesh x))))
+  ["simplex.wrong-dimension"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.
+Proof. apply MainProofs.rules_of_flats. Qed.
+
 (** An accepted certificate of the claim [surface-delaunay]: at each edge of two triangles, the
     angles opposite have a sum of at most pi. *)
 Theorem verified_surface D c : check_surface D c = Accepted ->
@@ -261,6 +283,12 @@ Theorem verified_surface D c : check_surface D c = Accepted ->
   NoDup S /\
   intrinsically_delaunay S (simplices_of_certificate (dimension_of D) (bare_surface c)).
 Proof. apply SurfaceSound.check_surface_sound. Qed.
+(** An accepted refutation of it: at an edge of two triangles the sum is more than pi, which is the
+    rule that is printed, ["surface.edge-not-delaunay"]. *)
+Theorem verified_not_surface D x : refute_surface D x = true ->
+  edge_not_delaunay (refuted_simplices D (surface_mesh x)) /\
+  ~ claims_surface (refuted_points D (surface_mesh x)) (refuted_simplices D (surface_mesh x)).
+Proof. apply SurfaceRefuted.refute_surface_rule. Qed.
 
 (** ** A construction *)
 

@@ -1,4 +1,5 @@
-(** * Surfaces: what the claim [surface-delaunay] says, and what its certificates hold
+(** * Surfaces: what the claim [surface-delaunay] says, and what its certificates and refutations
+    hold
 
     docs/theory/questions.md has the same definition in words: triangles are intrinsically Delaunay
     if the angles opposite each edge of two of them have a sum of at most pi.  [CERTIFICATE.md]
@@ -40,6 +41,19 @@ Record intrinsically_delaunay S T : Prop := {
 
 End Surface.
 
+Section Rule.
+Context {d : nat}.
+(** What is claimed of the simplices as their author wrote them down ([Definitions.v]), and the rule
+    that an edge may break: it is in two triangles, and the sum is more than pi. *)
+Definition claims_surface (S : list (point d)) (L : list (list (option (point d)))) : Prop :=
+  exists T, L = map (map Some) T /\ intrinsically_delaunay S T.
+Definition edge_not_delaunay (L : list (list (option (point d)))) : Prop :=
+  exists i j s t p q a b, p <> q /\ edge_of_two L i j (Some p) (Some q) /\
+  nth_error L i = Some (map Some s) /\ nth_error L j = Some (map Some t) /\
+  length s = 3%nat /\ length t = 3%nat /\ affinely_independent s /\ affinely_independent t /\
+  opposite s p q a /\ opposite t p q b /\ signed_cos2 a p q + signed_cos2 b p q < 0.
+End Rule.
+
 (** ** Certificates, as they stand in a file *)
 
 (** The numbers of the vertices; and, for the edge opposite each, where it stands among the
@@ -59,3 +73,8 @@ Definition bare_surface (c : surface_certificate) : certificate :=
   Certificate Triangulation (surface_numerator c) (surface_denominator c) (surface_points c)
     (map (fun e => SimplexEntry (triangle_vertices e) [] None) (surface_triangles c)) []
     1 (Site [] 0) 1.
+
+(** A refutation: the mesh, and two triangles, by their numbers and those of their vertices opposite
+    the edge.  (Its evidence and its basis are not read.) *)
+Record surface_refutation := SurfaceRefutation {
+  surface_mesh : refutation; one_side : positive * nat; other_side : positive * nat }.

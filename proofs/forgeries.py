@@ -72,7 +72,7 @@ class Programs:
         key = (claim, *map(str, arguments))
         if key not in self.truths:
             ended = self.run("check", *arguments, "--claim", claim, "--by", "definition", "--format", "json", "--max-errors", 0)
-            if ended.returncode == 3 and "expected distinct points" in ended.stderr:  # of which nothing holds
+            if ended.returncode == 3 and "expected distinct points" in ended.stderr:  # nothing holds of these
                 self.truths[key] = {"verdict": "input", "rules": []}
             elif ended.returncode not in (0, 1):
                 raise Wrong(f"check {key}: {ended.stderr}")
@@ -102,12 +102,17 @@ def write_rows(path, header, rows):
 
 
 def tilted(points, dice):
-    """Moves points of the plane into a plane of space, along one of the axes."""
+    """Moves points of the plane into a plane of space, along one of the axes; or some onto a line."""
     header, rows = rows_of(points)
-    a, b, axis = dice.randrange(-2, 3), dice.randrange(-2, 3), dice.randrange(3)
-    for row in rows:
-        unseen = a * Fraction(row[1]) + b * Fraction(row[2])
-        row[1:3] = [*row[1:1 + axis], unseen, *row[1 + axis:3]]
+    if dice.randrange(3) == 0:
+        direction = [dice.randrange(-2, 3), dice.randrange(1, 3), dice.randrange(-2, 3)]
+        for row, along in zip(rows, dice.sample(range(40), len(rows))):
+            row[1:3] = [along * x for x in direction]
+    else:
+        a, b, axis = dice.randrange(-2, 3), dice.randrange(-2, 3), dice.randrange(3)
+        for row in rows:
+            unseen = a * Fraction(row[1]) + b * Fraction(row[2])
+            row[1:3] = [*row[1:1 + axis], unseen, *row[1 + axis:3]]
     write_rows(points, [header[0], 3, 0, 0], [row[:4] for row in rows])
 
 

@@ -38,7 +38,11 @@ def shown():
         words = next(line for line in path.read_text(encoding="utf-8").splitlines() if line[0] != "#").split()
         claim, rule, kind = words[2], words[4], words[5:]
         rule = {"domain.uncovered-inside": "domain.uncovered"}.get(rule, rule)
-        if claim in OF_POINTS:
+        if kind == ["flat"]:
+            theorems.setdefault((rule, "points"), set()).add("verified_not_flat")
+        elif claim == "surface-delaunay":
+            theorems.setdefault((rule, "points"), set()).add("verified_not_surface")
+        elif claim in OF_POINTS:
             theorems.setdefault((rule, "points"), set()).add("verified_rule")
         elif claim == "complex":
             theorems.setdefault((rule, "points"), set()).add("verified_not_complex")

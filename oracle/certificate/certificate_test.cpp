@@ -97,6 +97,17 @@ TEST_CASE("a triangle in space is certified with a point beside it") {
   CHECK(text_of(mesh, *document).find("simplices 1 3\n1 2 3  1  1 0 0\n") != std::string::npos);
 }
 
+TEST_CASE("the certificate of points on a line, as it stands in the file") {
+  const ExactMesh mesh{PointSet({{2, 4, 0}, {0, 0, 0}, {1, 2, 0}}), {{0, 2}, {1, 2}}};
+  const auto document = document_of(mesh, Verdict(Claim::kDelaunay, mesh, 1));
+  REQUIRE(document);
+  CHECK(text_of(mesh, *document) ==
+        "circumspect-certificate 1 delaunay 3 line\nscale 1 1\n"
+        "points 3\n0 0 0  1\n1 2 0  2\n2 4 0  0\n"
+        "simplices 2\n3 2\n1 2\norder 2\n2\n1\n"
+        "pads 2\n2 5 0\n2 4 1\nend\n");
+}
+
 TEST_CASE("without a plane or a space, or of another claim, there is none, and it says why") {
   const auto refusal = [](const ExactMesh& mesh, Claim claim) {
     const auto document = document_of(mesh, Verdict(claim, mesh, 1));
@@ -104,14 +115,15 @@ TEST_CASE("without a plane or a space, or of another claim, there is none, and i
   };
   CHECK(refusal(square(), Claim::kDelaunay) == "");
   CHECK(refusal(square(), Claim::kCdt).find("found cdt") != std::string::npos);
-  CHECK(refusal({PointSet({{0, 0}, {1, 1}}), {{0, 1}}}, Claim::kDelaunay).find("on one line") !=
+  CHECK(refusal({PointSet({{0, 0}, {1, 1}}), {{0, 1}}}, Claim::kDelaunay) == "");
+  CHECK(refusal({PointSet({{0, 0}, {1, 1}}), {{0, 1}}}, Claim::kConvexHull).find("on one line") !=
         std::string::npos);
   const std::vector<Point> two_of_line = {{0}, {1}};
   CHECK(refusal({PointSet(two_of_line), {{0, 1}}}, Claim::kDelaunay).find("found dimension 1") !=
         std::string::npos);
   CHECK(refusal({PointSet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), {{0, 1, 2}}}, Claim::kDelaunay) ==
         "");
-  CHECK(refusal({PointSet(std::vector<Point>{{0, 0}}), {{0}}}, Claim::kDelaunay)
+  CHECK(refusal({PointSet(std::vector<Point>{{0, 0}}), {{0}}}, Claim::kConvexHull)
             .find("in one place") != std::string::npos);
   CHECK(refusal({PointSet(std::vector<Point>()), {}}, Claim::kDelaunay).find("found none") !=
         std::string::npos);

@@ -41,8 +41,14 @@ std::optional<Evidence> hanging_evidence(const ExactMesh& mesh, const ScaledPoin
   return overlap_evidence(mesh, points, Rule::kHangingVertex, witness);
 }
 
-// What refutes a mesh alone: some rules can be shown of simplices of full dimension only.
+// Of points that do not span few rules are refuted, and of surfaces one; and of a mesh alone some
+// can be shown of simplices of full dimension only.
 bool may_be_shown(const ExactMesh& mesh, const Verdict& verdict, Rule rule) {
+  if (verdict.claim() == Claim::kSurfaceDelaunay) return rule == Rule::kEdgeNotDelaunay;
+  if (mesh.points.dimension() < static_cast<int>(mesh.points.ambient_dimension())) {
+    return rule == Rule::kWrongDimension || rule == Rule::kUnusedPoint ||
+           rule == Rule::kFacetNotLocal || rule == Rule::kVertexInBall;
+  }
   if (verdict.claim() != Claim::kComplex) return true;
   switch (rule) {
     case Rule::kUnknownVertex:
@@ -89,8 +95,17 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       return from_violations(verdict, rule, [&](const Witness& witness) {
         return hull_evidence(mesh, rule, witness);
       });
+    case Rule::kEdgeNotDelaunay:
+      return from_violations(verdict, rule,
+                             [&](const Witness& witness) { return edge_evidence(mesh, witness); });
     case Rule::kFacetNotLocal:
     case Rule::kVertexInBall:
+      if (mesh.points.dimension() < static_cast<int>(points.dimension)) {
+        return from_violations(verdict, rule, [&](const Witness& witness) {
+          return flat_ball_evidence(mesh, points, witness);
+        });
+      }
+      [[fallthrough]];
     case Rule::kVertexSubmerged:
     case Rule::kPointBelowPlane:
       return from_violations(verdict, rule, [&](const Witness& witness) {
@@ -134,6 +149,9 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
     for (const Vertex v : simplex) lines << to_integer(v) + 1;
     lines.end_line();
   }
+}
+
+void write_basis(Lines& lines, const Refutation& refutation) {
   lines << "spans";
   for (const std::size_t v : refutation.basis) lines << v + 1;
   lines.end_line();
@@ -150,18 +168,23 @@ void write_because(Lines& lines, const Refutation& refutation) {
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation) {
   Lines lines(out);
-  write_mesh(lines, mesh, points, refutation);
+  const bool spans = mesh.points.dimension() == static_cast<int>(points.dimension);
+  const bool is_about_angles = refutation.claim == Claim::kSurfaceDelaunay;
+  const bool is_flat = !spans && !is_about_angles;
+  const std::string words = fmt::format("{} flat", identifier(refutation.rule));
+  write_mesh(lines, mesh, points, refutation, is_flat ? words : "");
+  if (!is_about_angles) write_basis(lines, refutation);
+  if (is_flat) write_pads(lines, mesh, points);
   write_because(lines, refutation);
 }
 
 namespace {
 
-// Points of one plane in space that have a triangulation there.
-bool is_flat(const ExactMesh& mesh, const Verdict& verdict) {
-  const bool is_seen =
-      verdict.claim() == Claim::kTriangulation || verdict.claim() == Claim::kDelaunay;
-  return is_seen && verdict.holds() && mesh.points.ambient_dimension() == 3 &&
-         mesh.points.dimension() == 2;
+// Does something prove the claim, or refute it, wherever the points are?
+bool may_lie_anywhere(const Verdict& verdict) {
+  const Claim claim = verdict.claim();
+  return claim == Claim::kTriangulation || claim == Claim::kDelaunay ||
+         claim == Claim::kSurfaceDelaunay || (claim == Claim::kComplex && verdict.holds());
 }
 
 // What certificates do not cover; empty if they cover this.
@@ -179,17 +202,10 @@ std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
     return fmt::format("expected points of dimension 2 or 3 for a certificate, found dimension {}",
                        dimension);
   }
-  const bool is_about_angles = claim == Claim::kSurfaceDelaunay;
-  if ((claim == Claim::kComplex || is_about_angles) && verdict.holds()) {
-    return "";  // wherever the points are
-  }
-  if (is_about_angles) {
-    return "there is no refutation of this mesh: none shows that a surface is not Delaunay";
-  }
   if (claim == Claim::kConvexHull && !verdict.holds()) {
     return "there is no refutation of this mesh: none shows that facets are not those of a hull";
   }
-  if (mesh.points.dimension() != static_cast<int>(dimension) && !is_flat(mesh, verdict)) {
+  if (mesh.points.dimension() != static_cast<int>(dimension) && !may_lie_anywhere(verdict)) {
     return fmt::format(
         "expected points that span the {} for a certificate, found that all of them lie {}",
         dimension == 2 ? "plane" : "space",
@@ -215,10 +231,13 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
   if (verdict.holds() && verdict.claim() == Claim::kComplex) {
     return complex_certificate_of(mesh, std::move(*points));
   }
-  if (verdict.claim() == Claim::kSurfaceDelaunay) {
+  if (verdict.holds() && verdict.claim() == Claim::kSurfaceDelaunay) {
     return surface_certificate_of(mesh, std::move(*points));
   }
-  if (is_flat(mesh, verdict)) {
+  if (verdict.holds() && mesh.points.dimension() < 2) {
+    return line_certificate_of(mesh, verdict.claim(), std::move(*points));
+  }
+  if (verdict.holds() && mesh.points.dimension() < static_cast<int>(points->dimension)) {
     return flat_certificate_of(mesh, verdict.claim(), std::move(*points));
   }
   if (verdict.holds()) {
@@ -245,6 +264,13 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
         "there is no refutation of this mesh: of simplices of a lower dimension, or of another "
         "than the first, none shows {}",
         identifier(of_complex->first)));
+  }
+  if (mesh.points.dimension() < static_cast<int>(mesh.points.ambient_dimension()) ||
+      verdict.claim() == Claim::kSurfaceDelaunay) {
+    return tl::unexpected(fmt::format(
+        "there is no refutation of this mesh: of a surface, or of points that do not span, none "
+        "shows {}",
+        identifier(tallies.begin()->first)));
   }
   return tl::unexpected(fmt::format(
       "expected a fault of the claim for a refutation, found only {}, which {} does not include",

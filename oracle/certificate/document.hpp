@@ -13,6 +13,7 @@
 #include "oracle/certificate/complex_certificate.hpp"
 #include "oracle/certificate/flat_certificate.hpp"
 #include "oracle/certificate/hull_certificate.hpp"
+#include "oracle/certificate/line_certificate.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/certificate/surface_certificate.hpp"
 #include "oracle/model/exact_mesh.hpp"
@@ -27,24 +28,25 @@ struct Refutation {
   Claim claim;
   Rule rule;
   std::vector<Integer> because;    // the tokens of the evidence
-  std::vector<std::size_t> basis;  // points that span the plane or space
+  std::vector<std::size_t> basis;  // points that span the affine hull of all
 };
 
 // Of the rules that the verdict says are broken the first that can be shown. Linear in the mesh.
 // Nothing if all that is broken is not part of the claim: simplex.orientation,
 // complex.wrong-neighbor.
 // Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that
-// is the dimension of their affine hull.
+// is the dimension of their affine hull, or smaller (flat_refutation.cpp).
 std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points);
 
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation);
-// Its parts: up to the line `spans`, where the first line ends with the rule or, instead of it,
-// with `words`; and the line `because`, with the end.
+// Its parts: the points and simplices, where the first line ends with the rule or, instead of it,
+// with `words`; the line `spans`; and the line `because`, with the end.
 void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
                 const Refutation& refutation, std::string_view words = "");
+void write_basis(Lines& lines, const Refutation& refutation);
 void write_because(Lines& lines, const Refutation& refutation);
 
 // A verdict with what proves it to somebody who trusts neither this program nor the one that made
@@ -56,16 +58,15 @@ struct RefutationWithPoints {
 };
 
 using Document = std::variant<Certificate, ComplexCertificate, HullCertificate, FlatCertificate,
-                              SurfaceCertificate, RefutationWithPoints>;
+                              LineCertificate, SurfaceCertificate, RefutationWithPoints>;
 
 // Claims of which nothing is proved.
 bool is_unproved(Claim claim);
 
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
-// people: other claims; points of other dimensions, or that span no plane or space (but where the
-// claim complex or surface-delaunay holds, or they have a triangulation in a plane of space); a
-// verdict that fails for nothing but rules that are not part of the claim, or that there is no
-// refutation of.
+// people: other claims; points of other dimensions, or that span no plane or space (but for the
+// claims complex, if it holds, surface-delaunay, triangulation and delaunay); a verdict that fails
+// for nothing but rules that are not part of the claim, or that there is no refutation of.
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
 void write(std::ostream& out, const ExactMesh& mesh, const Document& document);

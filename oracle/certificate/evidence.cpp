@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "kernel/exact/linear_algebra.hpp"
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/judge/points/simplices.hpp"
 
@@ -26,7 +27,7 @@ std::optional<std::size_t> unknown_entry(const ExactMesh& mesh, const Simplex& s
 std::optional<std::vector<Integer>> fault_of(const ExactMesh& mesh, Sidedness& sidedness,
                                              std::size_t s, Rule rule) {
   const Simplex& simplex = mesh.simplices[s];
-  const bool has_right_size = simplex.size() == mesh.points.ambient_dimension() + 1;
+  const bool has_right_size = static_cast<int>(simplex.size()) == mesh.points.dimension() + 1;
   const auto unknown = unknown_entry(mesh, simplex);
   if (rule == Rule::kUnknownVertex && unknown) return {{number(s), position(*unknown)}};
   if (rule == Rule::kWrongDimension && !has_right_size) return {{number(s)}};
@@ -236,6 +237,42 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
     if (!number) return std::nullopt;
     evidence.because.emplace_back(to_integer(*number));
     evidence.because.emplace_back(to_integer(q) + 1);
+  }
+  return evidence;
+}
+
+std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                           const Witness& witness) {
+  const auto number = number_of(mesh, witness.simplices.front());
+  if (!number) return std::nullopt;
+  const Simplex& simplex = mesh.simplices[*number - 1];
+  const Vertex q = witness.vertices.front();
+  RationalMatrix equations = {std::vector<Rational>(simplex.size(), 1)};
+  std::vector<Rational> right_sides = {1};
+  for (const std::size_t axis : mesh.points.configuration().hull().axes) {
+    equations.emplace_back();
+    for (const Vertex v : simplex) equations.back().emplace_back(points.coordinate(v, axis));
+    right_sides.emplace_back(points.coordinate(q, axis));
+  }
+  if (simplex.size() != equations.size()) return std::nullopt;
+  const auto weights = solve(std::move(equations), std::move(right_sides));
+  if (!weights) return std::nullopt;
+  const Integer whole = common_denominator(*weights);
+  Evidence evidence{Rule::kVertexInBall, {to_integer(*number), to_integer(q) + 1}};
+  for (const Rational& weight : *weights) {
+    evidence.because.push_back(-numerator_over(whole, weight));
+  }
+  evidence.because.push_back(whole);
+  return evidence;
+}
+
+std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness) {
+  Evidence evidence{Rule::kEdgeNotDelaunay, {}};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto number = number_of(mesh, witness.simplices[side]);
+    if (!number) return std::nullopt;
+    append(evidence.because,
+           {*number - 1, place_of(mesh.simplices[*number - 1], witness.vertices[side])});
   }
   return evidence;
 }

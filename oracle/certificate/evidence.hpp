@@ -28,6 +28,14 @@ std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoin
 // witness of the fault.
 std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness);
 
+// The same where the points do not span: also how the vertices and the point, each times an
+// integer, add up to zero. Requires: a witness of a point in the circumball of a simplex.
+std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                           const Witness& witness);
+
+// Two triangles, and the places of their vertices opposite the edge.
+std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness);
+
 // A point of two simplices off their common face, that of the witness.
 std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                          Rule rule, const Witness& witness);

@@ -44,6 +44,39 @@ TEST_CASE("the refutation of a mesh, as it stands in the file") {
         "end\n");
 }
 
+// Of points that do not span, and of surfaces.
+std::string written(const ExactMesh& mesh, Claim claim) {
+  const Verdict verdict = check::judge_exactly(claim, mesh, nullptr, {});
+  const auto document = document_of(mesh, verdict);
+  REQUIRE(document);
+  const std::string text = text_of(mesh, *document);
+  return text.substr(0, text.find('\n') + 1) + text.substr(text.find("spans"));
+}
+
+TEST_CASE("of points that do not span a refutation says how they lie") {
+  const PointSet line({{0, 0}, {2, 2}, {1, 1}});
+  CHECK(written({line, {{0, 1, 2}}}, Claim::kDelaunay) ==
+        "circumspect-refutation 2 delaunay 2 simplex.wrong-dimension flat\n"
+        "spans 1 2\npads 1\n0 1\nbecause 1\nend\n");
+  CHECK(written({line, {{0, 2}}}, Claim::kTriangulation) ==
+        "circumspect-refutation 2 triangulation 2 triangulation.unused-point flat\n"
+        "spans 1 2\npads 1\n0 1\nbecause 2\nend\n");
+  // The longer diagonal of a quadrilateral in the plane z = x: point 4 is in the ball of the first.
+  const PointSet plane({{0, 0, 0}, {2, -1, 2}, {4, 0, 4}, {2, 1, 2}});
+  CHECK(written({plane, {{0, 1, 2}, {2, 3, 0}}}, Claim::kDelaunay) ==
+        "circumspect-refutation 2 delaunay 3 delaunay.vertex-in-ball flat\n"
+        "spans 1 2 3\npads 1\n0 0 1\nbecause 1 4 -1 1 -1 1\nend\n");
+}
+
+TEST_CASE("an edge of a surface that is not Delaunay") {
+  const ExactMesh wide{PointSet({{0, 0}, {4, -1}, {4, 1}, {8, 0}}), {{0, 1, 3}, {0, 3, 2}}};
+  const Verdict verdict = check::judge_exactly(Claim::kSurfaceDelaunay, wide, nullptr, {});
+  CHECK(text_of(wide, *document_of(wide, verdict)) ==
+        "circumspect-refutation 2 surface-delaunay 2 surface.edge-not-delaunay\nscale 1 1\n"
+        "points 4\n0 0  0\n4 -1  1\n4 1  2\n8 0  3\n"
+        "simplices 2\n3  1 2 4\n3  1 4 3\nbecause 1 1 2 2\nend\n");
+}
+
 TEST_CASE("simplices by themselves and as lists of vertices") {
   const PointSet points(kSquare);
   CHECK(because({points, {{0, 1, 2}, {0, 2}}}) == "simplex.wrong-dimension: 2");

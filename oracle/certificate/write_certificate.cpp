@@ -319,6 +319,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
   const auto& whole = refutation.whole;
   write_mesh(lines, mesh, refutation.points, refutation.refutation,
              whole ? fmt::format("{} {}", whole->evidence.word, name_of(whole->kind)) : "");
+  write_basis(lines, refutation.refutation);
   if (!refutation.dangling.empty()) write_dangling(lines, mesh.points.size(), refutation.dangling);
   if (whole && whole->evidence.elsewhere) {
     write_body(lines, *whole->evidence.elsewhere);

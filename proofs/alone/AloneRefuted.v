@@ -127,10 +127,8 @@ Qed.
 Section Pair.
 Hypothesis unit_positive : 0 < r.
 Hypothesis shaped_sites : Forall (well_shaped d) (sites m).
-Let find_site k : Table.find k (Table.of_list id (sites m)) = numbered (sites m) k.
-Proof. rewrite table_find. now destruct (numbered (sites m) k). Qed.
-Let find_row k : Table.find k (Table.of_list id (rows m)) = numbered (rows m) k.
-Proof. rewrite table_find. now destruct (numbered (rows m) k). Qed.
+Let find_site := find_id (sites m).
+Let find_row := find_id (rows m).
 
 (** The two simplices, with the carriers of the point. *)
 Lemma both_shown t u q w f : in_both pr (Table.of_list id (sites m)) (Table.of_list id (rows m)) t u

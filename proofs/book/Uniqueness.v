@@ -393,8 +393,8 @@ Proof.
   - intros t Ht. apply delaunay_witness_plane. auto.
 Qed.
 
-(** Weighted points, none of which need be a vertex: with generic weights there is no more than
-    one weighted Delaunay triangulation. *)
+(** Weighted points, which need not be vertices: with generic weights there is no more than one
+    weighted Delaunay triangulation. *)
 Theorem weighted_unique (w : point d -> R) S T U : generic_heights (fun p => norm2 p - w p) S ->
   weighted_delaunay_triangulation w S T -> weighted_delaunay_triangulation w S U ->
   forall s, faces_of T s <-> faces_of U s.

@@ -42,7 +42,25 @@ Ltac shapes := repeat match goal with
   | H : well_shaped 2 ?s |- _ => apply shape2 in H; destruct H as (? & ? & ? & ->)
   | H : well_shaped 3 ?s |- _ => apply shape3 in H; destruct H as (? & ? & ? & ? & ->)
   end.
-Ltac integers := repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR, ?opp_IZR.
+(** How IZR z is made of the IZR of the parts of z.  One rewriting, by a proof that is made at once,
+    is ten times as fast as hundreds, one a part. *)
+Ltac parts_of z := lazymatch z with
+  | (?a + ?b)%Z => let p := parts_of a in let q := parts_of b in
+      constr:(eq_trans (plus_IZR a b) (f_equal2 Rplus p q))
+  | (?a - ?b)%Z => let p := parts_of a in let q := parts_of b in
+      constr:(eq_trans (minus_IZR a b) (f_equal2 Rminus p q))
+  | (?a * ?b)%Z => let p := parts_of a in let q := parts_of b in
+      constr:(eq_trans (mult_IZR a b) (f_equal2 Rmult p q))
+  | (- ?a)%Z => let p := parts_of a in constr:(eq_trans (opp_IZR a) (f_equal Ropp p))
+  | _ => constr:(eq_refl (IZR z))
+  end.
+Ltac integers := repeat match goal with
+  | |- context [IZR ?z] =>
+      lazymatch z with
+      | (_ + _)%Z => idtac | (_ - _)%Z => idtac | (_ * _)%Z => idtac | (- _)%Z => idtac
+      end;
+      let p := parts_of z in rewrite p
+  end.
 
 Lemma norm2_2 (p : point 2) : norm2 p = abscissa p * abscissa p + ordinate p * ordinate p.
 Proof. apply inner2. Qed.

@@ -12,6 +12,8 @@ Import ListNotations.
 Lemma table_find {A B} (f : A -> B) (l : list A) k :
   Table.find k (Table.of_list f l) = option_map f (numbered l k).
 Proof. apply nth_error_map. Qed.
+Lemma find_id {A} (l : list A) k : Table.find k (Table.of_list id l) = numbered l k.
+Proof. rewrite table_find. now destruct (numbered l k). Qed.
 
 (** The numbers of the members. *)
 Definition numbers {A} (l : list A) : list positive := map Pos.of_succ_nat (seq 0 (length l)).

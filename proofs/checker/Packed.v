@@ -9,7 +9,7 @@ From Circumspect Require Word.
 Import ListNotations.
 
 Record packed := Packed {
-  (* all but the simplices, of which it has none *)
+  (* all but the simplices: its list of them is empty *)
   frame : certificate;
   simplex_count : Word.t;
   (* for each simplex: its vertices; its walls, 8 T + J for [Neighbour T J], and -H for [OnHull H];

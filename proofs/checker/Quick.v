@@ -5,8 +5,8 @@
     determinants are estimated: all edges are scaled so that the longest has about 27 binary digits,
     and of products no more than 31 are kept; the margins are what that can amount to
     ([Estimates.v]). Where it is not certain on which side of a circumball an apex is, integers
-    tell, of this apex alone. A tetrahedron of which another sign is not certain, or of whose
-    conditions one fails, goes to [check_simplex]. *)
+    tell, of this apex alone. Where another sign of a tetrahedron is not certain, or one of its
+    conditions fails, it goes to [check_simplex]. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export PackedCheck.
 From Circumspect Require Import Word.
@@ -28,8 +28,8 @@ Definition crossed (p q : arrow) : arrow :=
     (down26 (sub (mul (along_z p) (along_x q)) (mul (along_x p) (along_z q))))
     (down26 (sub (mul (along_x p) (along_y q)) (mul (along_y p) (along_x q)))).
 
-(** A word of which no coordinate is greater; how many digits it has; and whether none is greater
-    than [most]. *)
+(** A word that no coordinate exceeds; how many digits it has; and whether none is greater than
+    [most]. *)
 Definition larger (x y : Word.t) : Word.t := if ltb x y then y else x.
 Definition absolute (x : Word.t) : Word.t := if ltb x zero then sub zero x else x.
 Definition largest (p : arrow) : Word.t :=

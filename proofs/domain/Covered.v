@@ -1,4 +1,4 @@
-(** * A domain of which some mesh has nothing dangling: in no complex of it anything dangles
+(** * Where some mesh of a domain has nothing dangling, nothing dangles in any complex of it
 
     Let the d-simplices of one mesh cover |P|.  Then those of every complex that fills |P| do: near
     a point that they miss there would be only simplices of lower dimension, and these are thin

@@ -37,8 +37,6 @@ Notation holes_of := (Table.of_list Datatypes.id (holes p)).
 Notation T := (part_simplices d c p).
 Let dim_d : dimension pr = d := computes_dimension _ _ Co.
 
-Lemma find_id {A} (l : list A) k : Table.find k (Table.of_list Datatypes.id l) = numbered l k.
-Proof. rewrite table_find. now destruct (numbered l k). Qed.
 
 (** ** The conditions *)
 

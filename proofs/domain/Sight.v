@@ -11,7 +11,7 @@ From Circumspect Require Import Adjacency LiftingMap DelaunayLemma Enclosed.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** Finitely many affine functions, one of which is negative wherever one looks on a segment *)
+(** ** Finitely many affine functions: at each point of a segment one of them is negative *)
 
 (** [f u w]: values at the two ends.  A sum of two of them is negative on the whole segment. *)
 Lemma two_suffice {A} (u w : A -> R) (l : list A) :

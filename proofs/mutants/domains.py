@@ -105,7 +105,7 @@ def with_complex(c):
 def part(mesh, kept, corners, chains, walls, holes=(), weights=None):
     """What a certificate about a domain says beside its mesh. `kept` are the first simplices of the
     mesh; `corners` and `chains` name points by their labels; `walls` says which facets, by their
-    labels, are part of which wall; `holes` are simplices with a point and a denominator."""
+    labels, are in which wall; `holes` are simplices with a point and a denominator."""
     d = mesh["d"]
     label = [row[4] for row in mesh["points"]]
     number = {v: k + 1 for k, v in enumerate(label)}

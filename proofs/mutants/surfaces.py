@@ -1,4 +1,4 @@
-"""Certificates of surfaces: of the claim surface-delaunay."""
+"""Certificates and refutations of surfaces: of the claim surface-delaunay."""
 
 
 def edges_of(triangles):
@@ -23,12 +23,21 @@ def surface(points, triangles, edges=None):
     return "\n".join([*lines, "end"]) + "\n"
 
 
+def refuted(points, rows, because):
+    """Entries of rows are numbered from 1."""
+    lines = [f"circumspect-refutation 2 surface-delaunay {len(points[0])} surface.edge-not-delaunay", "scale 1 2", f"points {len(points)}"]
+    lines += [" ".join(map(str, point)) + f"  {v}" for v, point in enumerate(points)]
+    lines.append(f"simplices {len(rows)}")
+    lines += [" ".join(map(str, [len(row), *row])) for row in rows]
+    return "\n".join([*lines, "because " + " ".join(map(str, because)), "end"]) + "\n"
+
+
 HINGE = surface([(0, 0, 0), (0, 0, 4), (0, 4, 0), (4, 0, 0)], [[1, 4, 3], [1, 4, 2]])
 # The angles opposite the edge of both have a sum of two right angles; or of more.
 SQUARE = [(0, 0), (0, 3000), (3000, 0), (3000, 3000)]
 BY_A_HAIR = [(0, 0), (0, 3000), (2999, 3000), (3000, 0)]
 WIDE = [(0, 0), (4, -1), (4, 1), (8, 0)], [[1, 2, 4], [1, 4, 3]]
-# Three triangles with one edge, of which nothing is asked.
+# Three triangles with one edge: nothing is asked of it.
 PAGES = [(0, 0, 0), (4, -1, 0), (4, 0, 1), (4, 1, 0), (8, 0, 0)], [[1, 5, 4], [1, 5, 3], [2, 1, 5]]
 
 
@@ -58,3 +67,22 @@ def files():
     yield changed("scale--surface", "rejected: scale", "scale 1 2", "scale 0 2\n")
     yield "simplex-listed--no-triangle", "circumspect-certificate 1 surface-delaunay 3\nscale 1 1\npoints 0\ntriangles 0\nedges 0\nend\n", \
         "rejected: simplex-listed"
+    yield from refutations()
+
+
+def refutations():
+    rule = "surface.edge-not-delaunay"
+    shown, not_shown = f"verified: not surface-delaunay, {rule}", f"rejected: the evidence does not show {rule}"
+    yield f"{rule}--shown", refuted(*WIDE, [1, 1, 2, 2]), shown
+    yield f"{rule}--shown--by-a-hair", refuted(BY_A_HAIR, [[1, 2, 4], [2, 4, 3]], [1, 0, 2, 2]), shown
+    # Beside rows that are no triangles, and a point that is listed twice.
+    yield f"{rule}--shown--among-others", refuted([*WIDE[0], (8, 0)], [[1, 2, 4], [], [5, 3, 1], [1, 1, 9], [4]], [1, 1, 3, 1]), shown
+    yield f"{rule}--not-shown--two-right-angles", refuted(SQUARE, [[1, 2, 3], [2, 3, 4]], [1, 0, 2, 2]), not_shown
+    yield f"{rule}--not-shown--of-three", refuted(*PAGES, [1, 2, 2, 2]), not_shown
+    third = [*WIDE[0], (0, 0), (8, 0), (4, 9)], [*WIDE[1], [5, 7, 6]]
+    yield f"{rule}--not-shown--of-three-by-place", refuted(*third, [1, 1, 2, 2]), not_shown
+    yield f"{rule}--not-shown--another-edge", refuted(*WIDE, [1, 0, 2, 2]), not_shown
+    yield f"{rule}--not-shown--one-triangle", refuted(*WIDE, [1, 1, 1, 1]), not_shown
+    yield f"{rule}--not-shown--flat", refuted([(0, 0), (4, 0), (4, 1), (8, 0)], WIDE[1], [1, 1, 2, 2]), not_shown
+    yield f"{rule}--not-shown--no-triangle", refuted(*WIDE, [1, 1, 3, 2]), not_shown
+    yield f"{rule}--not-shown--no-vertex", refuted(*WIDE, [1, 3, 2, 2]), not_shown

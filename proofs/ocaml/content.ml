@@ -141,6 +141,23 @@ let flat (c : Reading.context) name seen =
                   (counts 2 (List.length frame.points) packed.simplex_count), 0) in
   { mesh; compare_domain = None; verdict }
 
+(* Points on a line, and the edges between neighbours; or one point, and its simplex. *)
+let line (c : Reading.context) space name =
+  let certificate, labels = Line_file.read c in
+  let rows = Array.of_list certificate.line_rows in
+  let vertices k = List.map Option.some rows.(k) in
+  let mesh = lazy { Users_mesh.unit = (certificate.line_numerator, certificate.line_denominator); d = c.d; weighted = false;
+                    labels = Array.of_list labels; ordered = false; sites = Array.of_list certificate.line_sites;
+                    simplices = { count = Array.length rows; vertices }; dangling = None } in
+  let verdict () = match check_line space certificate with
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted ->
+      let points = List.length labels in
+      let simplices, where = if points = 1 then (counted 1 "vertex" "vertices", "in one place")
+        else (counted (Array.length rows) "edge" "edges", "on one line") in
+      (Printf.sprintf "verified: %s, %s, %s, %s" name (counted points "point" "points") simplices where, 0) in
+  { mesh; compare_domain = None; verdict }
+
 (* A mesh alone: its simplices may be of any dimension. *)
 let mesh_alone (c : Reading.context) space =
   let certificate, labels = Complex_file.read c in
@@ -275,17 +292,31 @@ let refutation (c : Reading.context) space claimed rule =
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
-let alone_refutation (c : Reading.context) space rule =
-  let refutation, labels = Refutation_file.read_alone c rule in
-  let about = refutation.mesh_alone in
-  let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
+(* A refutation whose mesh is [about], by a function that says whether it is accepted. *)
+let refutation_of_mesh d labels (about : refutation) name rule is_accepted =
+  let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
                simplices = Users_mesh.listed about.rows; dangling = None } in
   let verdict () =
-    let rule = rule_of_complex_name (complex_rule_of refutation) in
-    if refute_alone space refutation then (Printf.sprintf "verified: not %s, %s" complex rule, 0)
+    if is_accepted () then (Printf.sprintf "verified: not %s, %s" name rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh = lazy mesh; compare_domain = None; verdict }
+
+let flat_refutation (c : Reading.context) space claimed rule =
+  let refutation, labels = Refutation_file.read_flat c claimed rule in
+  refutation_of_mesh c.d labels refutation.flat_mesh (claim_name claimed)
+    (rule_name (rule_of refutation.flat_mesh.because)) (fun () -> refute_flat space refutation)
+
+let surface_rule = "surface.edge-not-delaunay"
+let surface_refutation (c : Reading.context) space =
+  let refutation, labels = Refutation_file.read_surface c in
+  refutation_of_mesh c.d labels refutation.surface_mesh surface_delaunay surface_rule
+    (fun () -> refute_surface space refutation)
+
+let alone_refutation (c : Reading.context) space rule =
+  let refutation, labels = Refutation_file.read_alone c rule in
+  refutation_of_mesh c.d labels refutation.mesh_alone complex
+    (rule_of_complex_name (complex_rule_of refutation)) (fun () -> refute_alone space refutation)
 
 (* The triangles and edges that may be faces of no simplex. *)
 let own_rows part = List.rev (List.rev_map fst part.dangling)
@@ -320,7 +351,7 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
 let read source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull or flat]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
@@ -337,6 +368,9 @@ let read source =
   | [ "circumspect-certificate"; "1"; "delaunay"; "3"; "flat" ] ->
     let c, seen, _ = context source claims "weighted-delaunay" "2" in
     flat c "delaunay" seen
+  | [ "circumspect-certificate"; "1"; ("triangulation" | "delaunay" as claim); dimension; "line" ] ->
+    let c, _, space = context source claims claim dimension in
+    line c space claim
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
     certificate c space claimed None
@@ -356,6 +390,12 @@ let read source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
     alone_refutation c space rule
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = surface_delaunay && rule = surface_rule ->
+    let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
+    surface_refutation c space
+  | [ "circumspect-refutation"; "2"; ("triangulation" | "delaunay" as claim); dimension; rule; "flat" ] ->
+    let c, claimed, space = context source claims claim dimension in
+    flat_refutation c space claimed rule
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when List.mem_assoc claim domain_claims ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain_refutation c space claimed rule

@@ -156,7 +156,7 @@ let read c domain_claimed kind ~is_complex =
   ending c;
   (certificate, complex, labels)
 
-(* A domain with a mesh that is not the caller's, of which nothing is claimed but that it is one. *)
+(* A domain with a mesh that is not the caller's: all that is claimed is that it is one of the domain. *)
 let with_another_mesh c domain_claimed kind =
   let certificate, _ = body { c with labels = no_labels_of_part () } SteinerTriangulation kind in
   { certificate with domain_claimed }

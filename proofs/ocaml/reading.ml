@@ -5,7 +5,7 @@ open Extracted
 type labels = { small : Bytes.t; others : (Big.t, unit) Hashtbl.t }
 let no_labels (source : Text.t) =
   { small = Bytes.make (String.length source.text / 8 + 1) '\000'; others = Hashtbl.create 16 }
-(* Of a part of a file, of which there may be many. *)
+(* Of one part of a file, which may have many. *)
 let no_labels_of_part () = { small = Bytes.empty; others = Hashtbl.create 64 }
 
 type context = { source : Text.t; d : int; weighted : bool; labels : labels }

@@ -86,8 +86,8 @@ let evidence c claimed rule simplices tokens =
   no_more c expected rest;
   found
 
-(* The mesh, what it spans, and the labels of its points; [because] is not yet read. *)
-let mesh c refuted =
+(* The mesh, and the labels of its points; what it spans and [because] are not yet read. *)
+let points_and_simplices c refuted =
   let unit_numerator, unit_denominator = scale c in
   let expected = "the coordinates of a point and a label" in
   let sites = section c "points" expected (fun tokens ->
@@ -97,11 +97,16 @@ let mesh c refuted =
   let labels = List.rev (List.rev_map (fun (_, label) -> Some label) sites) in
   let sites = List.rev (List.rev_map fst sites) in
   let rows = section c "simplices" "a simplex" (simplex c) in
+  let nothing = WrongDimension (named c max_int) in
+  ({ refuted; unit_numerator; unit_denominator; sites; rows; basis = []; because = nothing }, labels)
+
+(* The same with what it spans. *)
+let mesh c refuted =
+  let mesh, labels = points_and_simplices c refuted in
   let expected, tokens = line c "spans" "POINTS" in
   let basis, rest = take c number (c.d + 1) expected tokens in
   no_more c expected rest;
-  let nothing = WrongDimension (named c max_int) in
-  ({ refuted; unit_numerator; unit_denominator; sites; rows; basis; because = nothing }, labels)
+  ({ mesh with basis }, labels)
 
 (* What may dangle, if there is such a section: points of no mesh, and triangles and edges, each with some of these
    points.  Its rows name points of the mesh, as those of simplices do. *)
@@ -131,6 +136,43 @@ let read c refuted rule =
   let because = evidence c refuted rule mesh.rows tokens in
   ending c;
   ({ mesh with because }, labels)
+
+(* The same of points that do not span: some of them span what all do, and the pads add what is lacking. *)
+let read_flat c refuted rule =
+  let mesh, labels = points_and_simplices c refuted in
+  let expected, tokens = line c "spans" "POINTS" in
+  let lower = List.length tokens in
+  if lower < 1 || lower > c.d then
+    Text.fail c.source (Printf.sprintf "1 to %d points" c.d) (string_of_int lower);
+  let basis, _ = take c number lower expected tokens in
+  let flat_pads = section c "pads" "coordinates" (site c "coordinates" false) in
+  let expected, tokens = line c "because" "EVIDENCE" in
+  let because, ball_own, ball_other, rest = match rule with
+    | "delaunay.vertex-in-ball" ->
+      let numbers, rest = take c number 2 expected tokens in
+      let ball_own, rest = take c integer lower expected rest in
+      let ball_other, rest = take c integer 1 expected rest in
+      (VertexInBall (List.hd numbers, List.nth numbers 1), ball_own, List.hd ball_other, rest)
+    | "simplex.wrong-dimension" | "triangulation.unused-point" ->
+      (evidence c refuted rule mesh.rows tokens, [], Big.zero, [])
+    | _ -> Text.fail c.source "a rule of CERTIFICATE.md for points that do not span" (Text.quote rule) in
+  no_more c expected rest;
+  ending c;
+  ({ flat_mesh = { mesh with basis; because }; flat_pads; ball_own; ball_other }, labels)
+
+(* The same of a surface: two triangles and their vertices opposite the edge. *)
+let read_surface c =
+  let surface_mesh, labels = points_and_simplices c Triangulation in
+  let expected, tokens = line c "because" "T I U J" in
+  let side tokens =
+    let t, rest = take c number 1 expected tokens in
+    let i, rest = take c position 1 expected rest in
+    ((List.hd t, List.hd i), rest) in
+  let one_side, rest = side tokens in
+  let other_side, rest = side rest in
+  no_more c expected rest;
+  ending c;
+  ({ surface_mesh; one_side; other_side }, labels)
 
 (* The same of a mesh alone. *)
 let read_alone c rule =

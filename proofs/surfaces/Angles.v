@@ -40,6 +40,12 @@ Qed.
 
 (** ** Vectors *)
 
+Lemma angle_sym {d} (o p q : point d) : signed_cos2 o p q = signed_cos2 o q p.
+Proof.
+  unfold signed_cos2. cbv zeta. rewrite (inner_comm (minus p o)), (Rmult_comm (dist2 p o)).
+  reflexivity.
+Qed.
+
 Section Places.
 Context {d : nat} (r : R).
 Hypothesis unit_positive : 0 < r.
@@ -102,10 +108,10 @@ End Cosine.
 Lemma angles_decided a p q b p' q' :
   (forall s, In s [a; p; q; b; p'; q'] -> well_shaped d s) ->
   (0 < snd (cotangent a p q))%Z -> (0 < snd (cotangent b p' q'))%Z ->
-  at_most_pi (cotangent a p q) (cotangent b p' q') = true ->
-  0 <= signed_cos2 (place a) (place p) (place q) + signed_cos2 (place b) (place p') (place q').
+  (at_most_pi (cotangent a p q) (cotangent b p' q') = true <->
+  0 <= signed_cos2 (place a) (place p) (place q) + signed_cos2 (place b) (place p') (place q')).
 Proof.
-  intros W A B H.
+  intros W A B.
   assert (Wa : well_shaped d a) by (apply W; cbn; auto 10).
   assert (Wp : well_shaped d p) by (apply W; cbn; auto 10).
   assert (Wq : well_shaped d q) by (apply W; cbn; auto 10).
@@ -114,17 +120,16 @@ Proof.
   assert (Wq' : well_shaped d q') by (apply W; cbn; auto 10).
   rewrite (signed_cos2_places a p q Wa Wp Wq A), (signed_cos2_places b p' q' Wb Wp' Wq' B).
   apply IZR_lt in A, B. destruct (cotangent a p q) as [x e], (cotangent b p' q') as [y f].
-  cbn [fst snd] in *. apply sum_of_fractions; [nra|nra|].
-  apply (proj2 (sum_sign (IZR x) (IZR e) (IZR y) (IZR f) A B)). unfold at_most_pi in H.
+  cbn [fst snd] in *.
+  rewrite sum_of_fractions, (sum_sign (IZR x) (IZR e) (IZR y) (IZR f) A B) by nra.
   assert (L : forall z, (0 <=? z)%Z = true <-> 0 <= IZR z).
   { intros z. rewrite Z.leb_le. split; [apply IZR_le|apply le_IZR]. }
-  assert (C : forall z k, (z <=? k)%Z = true -> IZR z <= IZR k).
-  { intros z k E. now apply IZR_le, Z.leb_le. }
-  destruct (Rle_dec 0 (IZR x)) as [X|X].
-  - rewrite (proj2 (L x) X) in H. apply orb_prop in H. destruct H as [H|H]; [left; now apply L|].
-    right. apply C in H. now rewrite !mult_IZR in H.
-  - destruct (0 <=? x)%Z eqn:E; [exfalso; apply X; now apply L|]. apply andb_prop in H.
-    destruct H as [H K]. split; [now apply L|]. apply C in K. now rewrite !mult_IZR in K.
+  assert (C : forall z k, (z <=? k)%Z = true <-> IZR z <= IZR k).
+  { intros z k. rewrite Z.leb_le. split; [apply IZR_le|apply le_IZR]. }
+  unfold at_most_pi. destruct (Rle_dec 0 (IZR x)) as [X|X].
+  - now rewrite (proj2 (L x) X), orb_true_iff, L, C, !mult_IZR.
+  - destruct (0 <=? x)%Z eqn:E; [exfalso; apply X; now apply L|].
+    now rewrite andb_true_iff, L, C, !mult_IZR.
 Qed.
 End Places.
 

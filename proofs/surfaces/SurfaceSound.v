@@ -4,18 +4,9 @@ From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import SurfaceChecker Numbering.
 From Circumspect Require Import Definitions Vectors Faces Orientation Integers Accepted Soundness.
 From Circumspect Require Import Angles EdgesInOrder.
+From Circumspect Require Line.
 Import ListNotations.
 Open Scope R_scope.
-
-Lemma pairs_by_number {A} (R : A -> A -> Prop) l :
-  (forall i j a b, (i < j)%nat -> nth_error l i = Some a -> nth_error l j = Some b -> R a b) ->
-  ForallOrdPairs R l.
-Proof.
-  induction l as [|a l IH]; intros H; constructor.
-  - apply Forall_forall. intros b I. apply In_nth_error in I. destruct I as (j & E).
-    apply (H 0%nat (S j)); [lia|reflexivity|exact E].
-  - apply IH. intros i j x y L Ex Ey. apply (H (S i) (S j)); [lia|exact Ex|exact Ey].
-Qed.
 
 (** ** The theorem, for either dimension *)
 
@@ -212,11 +203,6 @@ Proof.
 Qed.
 
 (** The angles opposite an edge of two triangles, and of no third. *)
-Lemma angle_sym (o p q : point d) : signed_cos2 o p q = signed_cos2 o q p.
-Proof.
-  unfold signed_cos2. cbv zeta. rewrite (inner_comm (minus p o)), (Rmult_comm (dist2 p o)).
-  reflexivity.
-Qed.
 Lemma narrow_angles x y so sp sq so' : narrow c x y = true -> known (facing x) so ->
   known (low x) sp -> known (high x) sq -> known (facing y) so' ->
   (0 < snd (cotangent so sp sq))%Z -> (0 < snd (cotangent so' sp sq))%Z ->
@@ -409,7 +395,7 @@ Qed.
 
 Lemma surface_once : ForallOrdPairs (fun s t => ~ same s t) T.
 Proof.
-  apply pairs_by_number. intros i j s t L Es Et [Inc _].
+  apply Line.pairs_by_number. intros i j s t L Es Et [Inc _].
   destruct (triangle_of i s Es) as (x & e & Ex & Ei & ->).
   destruct (triangle_of j t Et) as (y & f & Ey & Ej & ->).
   destruct (triangle_accepted x e Ex) as [Tx _].

@@ -105,7 +105,7 @@ Proof.
   - pose proof (Su a i Ia Hi O p Ip) as P. destruct (frame_same (geo a) t i p Ga Hi) as [_ B]. lra.
 Qed.
 
-(** What holds of a simplex of T, and of each neighbour of one of which it holds, holds of all. *)
+(** What holds of a simplex of T, and passes from each to its neighbours, holds of all. *)
 Theorem all_reached (Q : simplex d -> Prop) : (exists s, In s T /\ Q s) ->
   (forall t u i j, In (vertices t) T -> In (vertices u) T -> opposite t i u j -> Q (vertices t) ->
     Q (vertices u)) ->
