@@ -60,6 +60,9 @@ if(MINGW)
   # GCC aligns wide vectors on a stack that Windows aligns less (GCC bug 54412): the assembler is to
   # move them as if they were anywhere.
   target_compile_options(circumspect_settings INTERFACE -Wa,-muse-unaligned-vector-move -Wa,-mbig-obj)  # and many sections
+  # Of a function that several sources have, the linker keeps one copy. GCC takes its own for that
+  # copy there, and leaves values in registers that the other one needs.
+  target_compile_options(circumspect_settings INTERFACE -fno-ipa-ra)
 endif()
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(circumspect_settings INTERFACE

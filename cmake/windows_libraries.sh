@@ -35,15 +35,16 @@ mkdir -p "$folder/sources/gmp/doc" && touch "$folder/sources/gmp/doc/Makefile.in
  make -C src install) >>"$log" 2>&1
 
 echo "compiling pugixml and CaDiCaL"
+flags=(-O2 -fno-ipa-ra)  # cmake/settings.cmake says why
 (cd "$folder/sources/pugixml"
- $machine-g++-posix -O2 -c src/pugixml.cpp -o pugixml.o
+ $machine-g++-posix "${flags[@]}" -c src/pugixml.cpp -o pugixml.o
  $machine-ar rcs "$folder/lib/libpugixml.a" pugixml.o
  cp src/pugixml.hpp src/pugiconfig.hpp "$folder/include"
  cd "$folder/sources/cadical/src"
  for file in *.cpp; do
    case $file in cadical.cpp | mobical.cpp | ipasir.cpp) continue ;; esac
    echo "$file"
- done | xargs -P "$jobs" -I{} $machine-g++-posix -O2 -D__WIN32 -DNBUILD -DNUNLOCKED -DNTRACING -c {} -o {}.o
+ done | xargs -P "$jobs" -I{} $machine-g++-posix "${flags[@]}" -D__WIN32 -DNBUILD -DNUNLOCKED -DNTRACING -c {} -o {}.o
  $machine-ar rcs "$folder/lib/libcadical.a" ./*.o
  cp cadical.hpp "$folder/include") >>"$log" 2>&1
 

@@ -43,7 +43,10 @@ says 3 "a directory" check größe
 says 0 "" build delaunay 'größe\x.1.node' -o 'größe\made.ele'
 says 0 "" build delaunay 'größe\x.1.node' -o 'größe\made.ele'
 says 0 "" check 'größe\made.ele'
-! grep -q $'\r' größe/made.ele || fail "expected no carriage return in a file"
+says 1 "differ: 0 points 2 simplices" compare 'größe\x.1.ele' 'größe\made.ele'
+says 0 "holds: delaunay" certify 'größe\made.ele' -o 'größe\certificate'
+grep -qx "circumspect-certificate 1 delaunay 2 unique" größe/certificate || fail "expected a certificate, found $(cat größe/certificate)"
+! grep -q $'\r' größe/{made.ele,certificate} || fail "expected no carriage return in a file"
 [ -z "$(find . -name '.unfinished-*')" ] || fail "expected no unfinished files"
 says 2 "is the same file" build delaunay 'größe\x.1.node' -o './größe/x.1.node'
 

@@ -126,6 +126,7 @@ ExitCode run(int argc, char** argv) {
   CLI::App app{
       "The exact oracle for Delaunay triangulations: judges any mesh, exactly, with a witness."};
   app.name("circumspect");
+  app.allow_windows_style_options(false);  // there, too, `/mesh.off` is a file
   app.set_version_flag("-V,--version", version());
   app.require_subcommand(1);
   app.footer(
