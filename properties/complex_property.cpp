@@ -114,7 +114,7 @@ void lay_beside(Dice& dice, ListedComplex& mesh) {
 void break_once(Dice& dice, ListedComplex& mesh) {
   if (mesh.simplices.empty()) return;
   const std::size_t d = mesh.points.front().size();
-  switch (dice.below(10)) {
+  switch (dice.below(11)) {
     case 0:
       mesh.points[dice.below(mesh.points.size())] = small_point(dice, d, 3);
       return;
@@ -151,6 +151,9 @@ void break_once(Dice& dice, ListedComplex& mesh) {
       return add_part(dice, mesh);
     case 8:
       return lay_beside(dice, mesh);
+    case 9:  // of no simplex, and at times equal to another
+      mesh.points.push_back(small_point(dice, d, 3));
+      return;
     default:
       erase_any(dice, mesh.simplices);
   }
@@ -237,6 +240,30 @@ void check_all_kinds(int inputs_in_plane, int inputs_in_space) {
         Rule::kDuplicateSimplex, Rule::kUnusedPoint}) {
     CAPTURE(identifier(rule));
     CHECK(occurs(seen.broken[rule]));
+  }
+}
+
+// Adds a simplex with a corner there, and the others so far from it along the axes.
+void add_corner(ListedComplex& mesh, const Point& at, long length) {
+  mesh.simplices.emplace_back();
+  for (std::size_t i = 0; i <= at.size(); ++i) {
+    mesh.simplices.back().push_back(static_cast<Vertex>(mesh.points.size()));
+    mesh.points.push_back(at);
+    if (i > 0) mesh.points.back()[i - 1] += length;
+  }
+}
+
+TEST_CASE("complex: a part within another one overlaps it, whichever of many that is") {
+  constexpr long kParts = 4;
+  for (const std::size_t d : {2u, 3u}) {
+    for (long within = 0; within <= kParts; ++within) {
+      ListedComplex mesh;
+      for (long part = 0; part < kParts; ++part) add_corner(mesh, Point(d, 20 * part), 9);
+      add_corner(mesh, Point(d, 20 * within + 1), 2);  // the last time beyond all of them
+      const Verdict verdict = check::judge(Claim::kComplex, in_arrays(mesh), nullptr, {}).value();
+      CHECK(verdict.holds() == (within == kParts));
+      CHECK(verdict.tallies().contains(Rule::kOverlap) == (within < kParts));
+    }
   }
 }
 

@@ -201,6 +201,18 @@ TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a th
   CHECK(strip.euler_characteristic == 0);
   CHECK(strip.boundary_parts == 1);
   CHECK(!strip.genus);  // it has one side only
+  const Topology two_strips = topology(listed(around, {{0, 1, 2},
+                                                       {1, 2, 3},
+                                                       {2, 3, 4},
+                                                       {3, 4, 0},
+                                                       {4, 0, 1},
+                                                       {5, 6, 7},
+                                                       {6, 7, 8},
+                                                       {7, 8, 9},
+                                                       {8, 9, 5},
+                                                       {9, 5, 6}}));
+  CHECK(two_strips.boundary_parts == 2);
+  CHECK(!two_strips.genus);  // which as two surfaces with two sides would be 1
 }
 
 // In how many parts are some faces, if those with a common face of this size are connected?
