@@ -1,4 +1,5 @@
-(** * Convex hulls: what the claim [convex-hull] says, and what its certificates hold
+(** * Convex hulls: what the claim [convex-hull] says, and what its certificates and refutations
+    hold
 
     docs/theory/questions.md has the same definition in words.  [CERTIFICATE.md] describes the
     files. *)
@@ -20,6 +21,22 @@ Record boundary_of_hull (S : list (point d)) (H : list (simplex d)) : Prop := {
     exists f, In f H /\ conv f q
 }.
 End Hull.
+
+(** ** A rule that the facets may break
+
+    [S] and [L] are as in [Definitions.v].  Two points are on different sides of a listed facet. *)
+Section Rule.
+Context {d : nat}.
+Implicit Types (S : list (point d)) (L : list (list (option (point d)))).
+Definition claims_hull S L : Prop := exists H, L = map (map Some) H /\ boundary_of_hull S H.
+Definition facet_not_supporting S L : Prop := exists f p q, listed L f /\ length f = d /\
+  affinely_independent f /\ In p S /\ In q S /\ on_opposite_sides f p q.
+End Rule.
+
+(** A refutation: the mesh, a simplex and two points, by their numbers.  (The evidence and the basis
+    of the mesh are not read.) *)
+Record hull_refutation := HullRefutation {
+  hull_mesh : refutation; hull_facet : positive; one_beyond : positive; other_beyond : positive }.
 
 (** ** Certificates, as they stand in a file
 

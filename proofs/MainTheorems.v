@@ -35,10 +35,10 @@ From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
 From Circumspect Require Import HullChecker FlatChecker LineChecker FlatRefutation.
-From Circumspect Require Import SurfaceRefutation GiftWrapping Honest.
+From Circumspect Require Import HullRefutation SurfaceRefutation GiftWrapping Honest.
 From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats Surfaces.
 From Circumspect Require MainProofs DanglingSound HullSound FlatSound LineSound FlatRefuted.
-From Circumspect Require SurfaceSound SurfaceRefuted.
+From Circumspect Require HullRefuted SurfaceSound SurfaceRefuted.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -242,6 +242,12 @@ Theorem verified_hull D p k X s : judge_hull D p k X s = Holds ->
   let S := points_below (dimension_of D) c k in
   NoDup S /\ spans S /\ boundary_of_hull S (facets_below (dimension_of D) c k).
 Proof. apply HullSound.judge_hull_sound. Qed.
+(** An accepted refutation of it: points lie on both sides of a facet, which is the rule that is
+    printed, ["hull.facet-not-supporting"]. *)
+Theorem verified_not_hull D x : refute_hull D x = true ->
+  facet_not_supporting (refuted_points D (hull_mesh x)) (refuted_simplices D (hull_mesh x)) /\
+  ~ claims_hull (refuted_points D (hull_mesh x)) (refuted_simplices D (hull_mesh x)).
+Proof. apply HullRefuted.refute_hull_rule. Qed.
 
 (** An accepted certificate of points in space that lie in one plane: the triangles are a
     triangulation of these points, Delaunay if the certificate claims it. *)

@@ -40,8 +40,9 @@ def shown():
         rule = {"domain.uncovered-inside": "domain.uncovered"}.get(rule, rule)
         if kind == ["flat"]:
             theorems.setdefault((rule, "points"), set()).add("verified_not_flat")
-        elif claim == "surface-delaunay":
-            theorems.setdefault((rule, "points"), set()).add("verified_not_surface")
+        elif claim in ("convex-hull", "surface-delaunay"):
+            theorem = "verified_not_hull" if claim == "convex-hull" else "verified_not_surface"
+            theorems.setdefault((rule, "points"), set()).add(theorem)
         elif claim in OF_POINTS:
             theorems.setdefault((rule, "points"), set()).add("verified_rule")
         elif claim == "complex":

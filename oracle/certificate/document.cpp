@@ -41,10 +41,11 @@ std::optional<Evidence> hanging_evidence(const ExactMesh& mesh, const ScaledPoin
   return overlap_evidence(mesh, points, Rule::kHangingVertex, witness);
 }
 
-// Of points that do not span few rules are refuted, and of surfaces one; and of a mesh alone some
-// can be shown of simplices of full dimension only.
+// Of points that do not span few rules are refuted, and of hulls and surfaces one each; and of a
+// mesh alone some can be shown of simplices of full dimension only.
 bool may_be_shown(const ExactMesh& mesh, const Verdict& verdict, Rule rule) {
   if (verdict.claim() == Claim::kSurfaceDelaunay) return rule == Rule::kEdgeNotDelaunay;
+  if (verdict.claim() == Claim::kConvexHull) return rule == Rule::kFacetNotSupporting;
   if (mesh.points.dimension() < static_cast<int>(mesh.points.ambient_dimension())) {
     return rule == Rule::kWrongDimension || rule == Rule::kUnusedPoint ||
            rule == Rule::kFacetNotLocal || rule == Rule::kVertexInBall;
@@ -95,6 +96,9 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       return from_violations(verdict, rule, [&](const Witness& witness) {
         return hull_evidence(mesh, rule, witness);
       });
+    case Rule::kFacetNotSupporting:
+      return from_violations(
+          verdict, rule, [&](const Witness& witness) { return two_sides_evidence(mesh, witness); });
     case Rule::kEdgeNotDelaunay:
       return from_violations(verdict, rule,
                              [&](const Witness& witness) { return edge_evidence(mesh, witness); });
@@ -169,11 +173,12 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation) {
   Lines lines(out);
   const bool spans = mesh.points.dimension() == static_cast<int>(points.dimension);
-  const bool is_about_angles = refutation.claim == Claim::kSurfaceDelaunay;
-  const bool is_flat = !spans && !is_about_angles;
+  const bool needs_basis =
+      refutation.claim != Claim::kSurfaceDelaunay && refutation.claim != Claim::kConvexHull;
+  const bool is_flat = !spans && needs_basis;
   const std::string words = fmt::format("{} flat", identifier(refutation.rule));
   write_mesh(lines, mesh, points, refutation, is_flat ? words : "");
-  if (!is_about_angles) write_basis(lines, refutation);
+  if (needs_basis) write_basis(lines, refutation);
   if (is_flat) write_pads(lines, mesh, points);
   write_because(lines, refutation);
 }
@@ -202,9 +207,6 @@ std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
     return fmt::format("expected points of dimension 2 or 3 for a certificate, found dimension {}",
                        dimension);
   }
-  if (claim == Claim::kConvexHull && !verdict.holds()) {
-    return "there is no refutation of this mesh: none shows that facets are not those of a hull";
-  }
   if (mesh.points.dimension() != static_cast<int>(dimension) && !may_lie_anywhere(verdict)) {
     return fmt::format(
         "expected points that span the {} for a certificate, found that all of them lie {}",
@@ -225,7 +227,7 @@ bool is_unproved(Claim claim) {
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
   const std::string beyond = limit(mesh, verdict);
   if (!beyond.empty()) return tl::unexpected(beyond);
-  if (verdict.claim() == Claim::kConvexHull) return hull_certificate_of(mesh);
+  if (verdict.holds() && verdict.claim() == Claim::kConvexHull) return hull_certificate_of(mesh);
   auto points = scaled_to_integers(mesh.points);
   if (!points) return tl::unexpected(points.error());
   if (verdict.holds() && verdict.claim() == Claim::kComplex) {
@@ -264,6 +266,11 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
         "there is no refutation of this mesh: of simplices of a lower dimension, or of another "
         "than the first, none shows {}",
         identifier(of_complex->first)));
+  }
+  if (verdict.claim() == Claim::kConvexHull) {
+    return tl::unexpected(fmt::format(
+        "there is no refutation of this mesh: none shows that facets are not those of a hull by {}",
+        identifier(tallies.begin()->first)));
   }
   if (mesh.points.dimension() < static_cast<int>(mesh.points.ambient_dimension()) ||
       verdict.claim() == Claim::kSurfaceDelaunay) {

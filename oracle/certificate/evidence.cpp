@@ -266,6 +266,14 @@ std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPo
   return evidence;
 }
 
+std::optional<Evidence> two_sides_evidence(const ExactMesh& mesh, const Witness& witness) {
+  const auto number = number_of(mesh, witness.simplices.front());
+  if (!number || witness.vertices.size() != 2) return std::nullopt;
+  return Evidence{Rule::kFacetNotSupporting,
+                  {to_integer(*number), to_integer(witness.vertices[0]) + 1,
+                   to_integer(witness.vertices[1]) + 1}};
+}
+
 std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness) {
   Evidence evidence{Rule::kEdgeNotDelaunay, {}};
   for (std::size_t side = 0; side < 2; ++side) {

@@ -33,6 +33,9 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
 std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                            const Witness& witness);
 
+// A facet, and two points on different sides of it.
+std::optional<Evidence> two_sides_evidence(const ExactMesh& mesh, const Witness& witness);
+
 // Two triangles, and the places of their vertices opposite the edge.
 std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness);
 

@@ -68,6 +68,14 @@ TEST_CASE("of points that do not span a refutation says how they lie") {
         "spans 1 2 3\npads 1\n0 0 1\nbecause 1 4 -1 1 -1 1\nend\n");
 }
 
+TEST_CASE("points on both sides of a facet of a hull") {
+  const ExactMesh cut{PointSet(kSquare), {{0, 1}, {1, 3}, {3, 0}}};
+  const Verdict verdict = check::judge_exactly(Claim::kConvexHull, cut, nullptr, {});
+  const std::string text = text_of(cut, *document_of(cut, verdict));
+  CHECK(text.find("circumspect-refutation 2 convex-hull 2 hull.facet-not-supporting\n") == 0);
+  CHECK(text.find("simplices 3\n2  1 2\n2  2 4\n2  4 1\nbecause 2 ") != std::string::npos);
+}
+
 TEST_CASE("an edge of a surface that is not Delaunay") {
   const ExactMesh wide{PointSet({{0, 0}, {4, -1}, {4, 1}, {8, 0}}), {{0, 1, 3}, {0, 3, 2}}};
   const Verdict verdict = check::judge_exactly(Claim::kSurfaceDelaunay, wide, nullptr, {});

@@ -65,7 +65,7 @@ Lemma pair_same t (p q : point d) : t = [p; q] \/ t = [q; p] -> same t [p; q].
 Proof. intros [->| ->]; split; intros v [<-|[<-|[]]]; cbn; auto. Qed.
 
 (** A point between two neighbours, by how far it is between them. *)
-Lemma between p q r : In p S -> In q S -> conv S r -> x p < x q ->
+Lemma part_way p q r : In p S -> In q S -> conv S r -> x p < x q ->
   r = mix p q ((x r - x p) / (x q - x p)).
 Proof.
   intros P Q R L. apply affine_separate. intros f A.
@@ -200,7 +200,7 @@ Proof.
     + intros C. destruct (neighbours_around y C) as (k & p & q & N & B).
       destruct (neighbours_in k p q N) as (Ip & Iq & L).
       destruct (all_joined k p q N) as (t & It & E). exists t. split; [assumption|].
-      apply (conv_incl [p; q]); [apply E|]. rewrite (between p q y) by assumption.
+      apply (conv_incl [p; q]); [apply E|]. rewrite (part_way p q y) by assumption.
       apply conv_pair. split.
       * apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat. lra.
       * apply (Rmult_le_reg_r (x q - x p)); [lra|]. unfold Rdiv.
@@ -230,7 +230,7 @@ Proof.
   - intros v Iv. apply (proj1 E) in Iv. destruct Iv as [<-|[<-|[]]].
     + rewrite <- (mix_start p q) at 2. rewrite dist2_mix. field.
     + rewrite <- (mix_end p q) at 2. rewrite dist2_mix. field.
-  - intros r Ir. rewrite (between p q r Ip Iq (in_line r Ir) L), dist2_mix.
+  - intros r Ir. rewrite (part_way p q r Ip Iq (in_line r Ir) L), dist2_mix.
     set (s := (x r - x p) / (x q - x p)). pose proof (norm2_nonneg (minus p q)) as D.
     change (0 <= dist2 p q) in D. assert (Out : s <= 0 \/ 1 <= s).
     { apply In_nth_error in Ir. destruct Ir as (i & R). destruct N as [P Q].

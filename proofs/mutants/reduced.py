@@ -1,6 +1,7 @@
 """Certificates that are those of another mesh and a little more: cones over a convex hull, and pictures of a plane."""
 
 from honest import certificate, side, text
+from surfaces import refuted
 
 # Four corners, a point inside, and one in an edge, which are not vertices; the last is the summit.
 FRAME = [(0, 0), (6, 0), (6, 6), (0, 6), (4, 1), (3, 0), (2, 2)]
@@ -90,3 +91,21 @@ def files():
     yield "point-in-plane--one-more", rhombus(right).replace("unseen 4\n", "unseen 5\n0\n"), "rejected: point-in-plane, point"
     yield "point-in-plane--one-less", rhombus(right).replace("unseen 4\n0\n", "unseen 3\n"), "rejected: point-in-plane, point"
     yield "point-used--flat", rhombus(right).replace("4 4 -64  2", "4 4 -64 2").replace("4 4 -64 2 1 2", "4 4 -64 2 - 2"), "rejected: point-used, point 4"
+    yield from hull_refutations()
+
+
+def hull_refutations():
+    claim, rule = "convex-hull", "hull.facet-not-supporting"
+    shown, not_shown = f"verified: not {claim}, {rule}", f"rejected: the evidence does not show {rule}"
+    square, tent = [(0, 0), (4, 0), (4, 4), (0, 4)], [(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (4, 4, 4), (1, 1, 2)]
+    for name, points, rows, because, answer in (
+            ("shown", square, [[1, 2], [1, 3], []], [2, 2, 4], shown),
+            ("shown--in-space", tent, [[9], [2, 3, 4]], [2, 1, 5], shown),
+            ("not-shown--on-one-side", square, [[1, 2]], [1, 3, 4], not_shown),
+            ("not-shown--on-it", tent, [[2, 3, 4]], [1, 6, 5], not_shown),
+            ("not-shown--a-vertex", square, [[1, 3]], [1, 3, 4], not_shown),
+            ("not-shown--a-flat-facet", [(0, 0, 0), (1, 1, 1), (2, 2, 2), *tent[1:3]], [[1, 2, 3]], [1, 4, 5], not_shown),
+            ("not-shown--of-more-points", square, [[1, 3, 2]], [1, 2, 4], not_shown),
+            ("not-shown--no-point", square, [[1, 3]], [1, 2, 5], not_shown),
+            ("not-shown--no-facet", square, [[1, 3]], [2, 2, 4], not_shown)):
+        yield f"{rule}--{name}", refuted(points, rows, because, claim, rule), answer

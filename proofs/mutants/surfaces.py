@@ -23,9 +23,9 @@ def surface(points, triangles, edges=None):
     return "\n".join([*lines, "end"]) + "\n"
 
 
-def refuted(points, rows, because):
+def refuted(points, rows, because, claim="surface-delaunay", rule="surface.edge-not-delaunay"):
     """Entries of rows are numbered from 1."""
-    lines = [f"circumspect-refutation 2 surface-delaunay {len(points[0])} surface.edge-not-delaunay", "scale 1 2", f"points {len(points)}"]
+    lines = [f"circumspect-refutation 2 {claim} {len(points[0])} {rule}", "scale 1 2", f"points {len(points)}"]
     lines += [" ".join(map(str, point)) + f"  {v}" for v, point in enumerate(points)]
     lines.append(f"simplices {len(rows)}")
     lines += [" ".join(map(str, [len(row), *row])) for row in rows]

@@ -307,6 +307,11 @@ let flat_refutation (c : Reading.context) space claimed rule =
   refutation_of_mesh c.d labels refutation.flat_mesh (claim_name claimed)
     (rule_name (rule_of refutation.flat_mesh.because)) (fun () -> refute_flat space refutation)
 
+let hull_rule = "hull.facet-not-supporting"
+let hull_refutation (c : Reading.context) space =
+  let refutation, labels = Refutation_file.read_hull c in
+  refutation_of_mesh c.d labels refutation.hull_mesh convex_hull hull_rule (fun () -> refute_hull space refutation)
+
 let surface_rule = "surface.edge-not-delaunay"
 let surface_refutation (c : Reading.context) space =
   let refutation, labels = Refutation_file.read_surface c in
@@ -390,6 +395,9 @@ let read source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
     alone_refutation c space rule
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = convex_hull && rule = hull_rule ->
+    let c, (), space = context source [ (convex_hull, ()) ] claim dimension in
+    hull_refutation c space
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = surface_delaunay && rule = surface_rule ->
     let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
     surface_refutation c space

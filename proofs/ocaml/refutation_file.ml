@@ -160,6 +160,17 @@ let read_flat c refuted rule =
   ending c;
   ({ flat_mesh = { mesh with basis; because }; flat_pads; ball_own; ball_other }, labels)
 
+(* The same of a convex hull: a facet and two points. *)
+let read_hull c =
+  let hull_mesh, labels = points_and_simplices c Triangulation in
+  let expected, tokens = line c "because" "T P Q" in
+  match take c number 3 expected tokens with
+  | [ hull_facet; one_beyond; other_beyond ], rest ->
+    no_more c expected rest;
+    ending c;
+    ({ hull_mesh; hull_facet; one_beyond; other_beyond }, labels)
+  | _ -> assert false
+
 (* The same of a surface: two triangles and their vertices opposite the edge. *)
 let read_surface c =
   let surface_mesh, labels = points_and_simplices c Triangulation in
