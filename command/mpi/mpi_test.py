@@ -181,8 +181,8 @@ def parts(commands, corpus, folder):
                 at[7] = (9.0, 9.0, 9.0)
             if part == 2 and wrong == "missing":
                 own[-1] += 1000
-            if part == 2 and wrong == "gap":  # as many indices as there are points, but one of them is in no part
-                own = [v + (v == len(points) - 1) for v in own]
+            if part == 2 and wrong == "gap":  # the parts have points enough, but one index is in none
+                own = [v + 2 * (v == len(points) - 1) for v in own]
             npy(folder / f"part-{part}.npy", "<i4", 4, rows)
             npy(folder / f"part-{part}.points.npy", "<f8", 3, at)
             npy(folder / f"part-{part}.indices.npy", "<i8", 1, [(v,) for v in own])
@@ -197,7 +197,7 @@ def parts(commands, corpus, folder):
         expect("parts", (all_ranks.returncode, without_what_needs_it_whole(all_ranks.stdout.replace("part-%d.npy", "s.npy"))), (drop, without_what_needs_it_whole(one.stdout)))
     expect("more parts than ranks", commands.on_ranks(2, *words).returncode, 3)
     for wrong, said in [("vertex", "part-2.npy: expected vertices from 0 to"), ("moved", "the same coordinates"),
-                        ("missing", "all indices from 0 to the largest"), ("gap", f"no point of index {len(points) - 1}")]:
+                        ("missing", "all indices from 0 to the largest"), ("gap", f"no point of index {len(points)}")]:
         write(wrong)
         ended = commands.on_ranks(3, *words)
         expect(f"parts, {wrong}", (ended.returncode, said in ended.stderr), (3, True))
