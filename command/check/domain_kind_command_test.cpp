@@ -233,7 +233,7 @@ TEST_CASE("hole seeds that make no hole, or leave nothing, are noted") {
   CHECK(emptied.exit_code == 1);
   CHECK(has(emptied.out,
             ": hole seeds empty all that is enclosed (one region): nothing is left to "
-            "fill\n"));
+            "fill; --fill hull fills the convex hull without them\n"));
 }
 
 }  // namespace circumspect::cli

@@ -30,6 +30,9 @@ TEST_CASE("check --resolve: segments that cross are judged as their arrangement"
   const Run refused = run({"check", square.mesh, "--domain", square.domain});
   CHECK(refused.exit_code == 3);
   CHECK(has(refused.err, "plc.crossing-segments"));
+  CHECK(has(refused.err,
+            "; if the program makes a vertex where segments meet, check --resolve judges its "
+            "mesh"));
   const Run resolved = run({"check", square.mesh, "--domain", square.domain, "--resolve"});
   CHECK_MESSAGE(resolved.exit_code == 0, (resolved.out + resolved.err));
   CHECK(

@@ -5,7 +5,6 @@
 
 #include <doctest/doctest.h>
 
-
 namespace circumspect::picture {
 namespace {
 
@@ -114,8 +113,7 @@ TEST_CASE("page: of very many violations the first have cards, which the page sa
   CHECK(page.size() < 5'000'000);
   Verdict many(Claim::kTriangulation, 0);
   for (Vertex v = 0; v < 600; ++v) {
-    for (int again = 0; again < 20; ++again)
-      many.add(Rule::kUnusedPoint, {.vertices = {v}});
+    for (int again = 0; again < 20; ++again) many.add(Rule::kUnusedPoint, {.vertices = {v}});
   }
   CHECK(page_of(mesh, many, "k.ele").size() < 2'000'000);
   const Verdict few = check::judge_points(Claim::kTriangulation, mesh, {.max_violations = 2});
