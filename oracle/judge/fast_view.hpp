@@ -11,6 +11,7 @@
 
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/undecided.hpp"
+#include "oracle/model/claim.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/options.hpp"
 
