@@ -40,6 +40,7 @@ std::vector<BareFacet> bare_facets(const Mesh& mesh) {
     for (std::size_t i = 0; i < links->count; ++i) {
       if (links->view()[i] >= 0 || is_overused[i]) continue;
       const auto row = view.row(i / kVertices);
+      if (!name_points(mesh, row)) continue;
       const auto facet = fast::facet_of<kVertices, Index>(row, i % kVertices);
       found.push_back({Simplex(facet.begin(), facet.end()), Vertex{row[i % kVertices]}});
     }
@@ -50,6 +51,7 @@ std::vector<BareFacet> bare_facets(const Mesh& mesh) {
 }
 
 int orientation_in(const Mesh& mesh, std::span<const Vertex> points) {
+  if (!name_points(mesh, points)) return 0;
   const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
   if (doubles != nullptr && mesh.dimension() == 2) {
     return orientation_of_doubles<2>(doubles->values(), points);

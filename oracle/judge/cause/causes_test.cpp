@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/dice.hpp"
 #include "oracle/judge/cause/planted_faults_test.hpp"
 
 namespace circumspect::check {
@@ -225,6 +226,36 @@ TEST_CASE("causes: signs that are all the other way") {
   CHECK(named(lists, Claim::kComplex, positive) ==
         "all-inverted: all 18 triangles list their vertices in the other order: "
         "--oriented=negative holds of them");
+}
+
+// The claim `complex` goes on where an index names no point, and its causes with it.
+TEST_CASE("causes: indices that name no points are never looked up") {
+  constexpr Vertex kFar = Vertex{1} << 40;
+  std::size_t told = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    generators::Dice dice(seed);
+    Lists lists = dice.below(3) == 0 ? grid<3>(3) : grid<2>(4);
+    const auto any = [&]() -> Simplex& {
+      return lists.simplices[dice.below(lists.simplices.size())];
+    };
+    for (std::size_t faults = dice.below(4); faults > 0; --faults) {
+      std::swap(any(), lists.simplices.back());
+      lists.simplices.pop_back();
+    }
+    for (std::size_t faults = dice.below(4) + 1; faults > 0; --faults) {
+      const Vertex others[] = {-1, std::ssize(lists.points), kFar, 0};
+      Simplex& simplex = any();
+      simplex[dice.below(simplex.size())] = others[dice.below(4)];
+    }
+    for (const Claim claim : {Claim::kComplex, Claim::kTriangulation, Claim::kDelaunay}) {
+      for (const Cause& cause : causes_of(lists, claim)) {
+        CHECK(cause.explains <= cause.of);
+        ++told;
+      }
+    }
+  }
+  CHECK(told > 50);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ bool is_about_places(Rule rule) {
          of == Stage::kDelaunay;
 }
 
-// The simplices at a vertex, and those across the facets opposite it.
+// The simplices at a vertex, and those across the facets opposite it, all of points.
 class Star {
  public:
   Star(const Mesh& mesh, Vertex vertex) : mesh_(mesh), vertex_(vertex) {
@@ -37,7 +37,7 @@ class Star {
       for (std::size_t s = 0; s < view.size(); ++s) {
         const auto row = view.row(s);
         const auto at = std::find(row.begin(), row.end(), vertex);
-        if (at == row.end()) continue;
+        if (at == row.end() || !name_points(mesh, row)) continue;
         Simplex facet(row.begin(), row.end());
         facet.erase(facet.begin() + (at - row.begin()));
         facets_.insert(sorted(std::move(facet)));
@@ -84,7 +84,7 @@ class Star {
   void add_across(const Row& row) {
     std::size_t in_link = 0;
     for (const auto v : row) in_link += link_.contains(v) ? 1 : 0;
-    if (in_link + 1 < row.size()) return;
+    if (in_link + 1 < row.size() || !name_points(mesh_, row)) return;
     for (std::size_t place = 0; place < row.size(); ++place) {
       const Simplex facet = sorted(facet_opposite(Simplex(row.begin(), row.end()), place));
       if (row[place] != vertex_ && facets_.contains(facet)) across_.emplace(facet, row[place]);
