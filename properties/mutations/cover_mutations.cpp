@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <vector>
 
 #include "properties/mutations/catalogue.hpp"
 
@@ -47,8 +49,26 @@ bool cover_by_equal_copy(ArrayMesh& mesh, Dice&) {
   return true;
 }
 
+// Is half of a point another one? Merged, the mesh and its half may be one that is right.
+bool has_half_of_another(const ArrayMesh& mesh) {
+  std::set<std::vector<double>> points;
+  const auto point = [&mesh](std::size_t v, double factor) {
+    std::vector<double> coordinates;
+    for (std::size_t axis = 0; axis < mesh.dimension; ++axis) {
+      coordinates.push_back(mesh.coordinates[v * mesh.dimension + axis] * factor);
+    }
+    return coordinates;
+  };
+  for (std::size_t v = 0; v < mesh.points(); ++v) points.insert(point(v, 1));
+  for (std::size_t v = 0; v < mesh.points(); ++v) {
+    const std::vector<double> half = point(v, 0.5);
+    if (half != point(v, 1) && points.contains(half)) return true;
+  }
+  return false;
+}
+
 bool cover_by_half(ArrayMesh& mesh, Dice&) {
-  if (!can_be_halved(mesh)) return false;
+  if (!can_be_halved(mesh) || has_half_of_another(mesh)) return false;
   add_copy(mesh, 0.5);
   return true;
 }
