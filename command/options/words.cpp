@@ -1,6 +1,7 @@
 #include "command/options/words.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -10,19 +11,6 @@
 #include "command/options/nearest_word.hpp"
 
 namespace circumspect::cli {
-
-void deal_words_to_options(CLI::App& app) {
-  for (CLI::Option* option : app.get_options()) {
-    if (option->nonpositional()) option->allow_extra_args(false);
-    // --merge-coplanar reads what stands behind its = itself.
-    const bool is_flag = option->get_items_expected_max() == 0 && option->get_type_name().empty();
-    // A flag that may have a value shows which (--oriented[=same|positive|negative]).
-    const bool may_have_value = !option->get_option_text().empty();
-    if (is_flag && !may_have_value) option->disable_flag_override();
-  }
-  for (CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
-    deal_words_to_options(*one);
-}
 
 std::string whole_name(const CLI::App& command) {
   const CLI::App* const parent = command.get_parent();
@@ -46,6 +34,14 @@ Words options_of(const CLI::App& command) {
     for (const std::string& name : option->get_snames()) words.push_back("-" + name);
   }
   return words;
+}
+
+// Whoever forgets a value would have the next option in its place: a page named --color.
+void refuse_as_values(CLI::Option& option, const std::shared_ptr<const Words>& options) {
+  option.check([options, expected = value_name(option)](const std::string& value) {
+    const bool is_one = std::find(options->begin(), options->end(), value) != options->end();
+    return is_one ? fmt::format("expected {}, found the option {}", expected, value) : "";
+  });
 }
 
 // The commands below this one that have an option of this name.
@@ -139,6 +135,21 @@ const CLI::Option* option_of(const CLI::App& command, const std::string& message
 }
 
 }  // namespace
+
+void deal_words_to_options(CLI::App& app) {
+  const auto options = std::make_shared<const Words>(options_of(app));
+  for (CLI::Option* option : app.get_options()) {
+    if (option->nonpositional()) option->allow_extra_args(false);
+    // --merge-coplanar reads what stands behind its = itself.
+    const bool is_flag = option->get_items_expected_max() == 0 && option->get_type_name().empty();
+    // A flag that may have a value shows which (--oriented[=same|positive|negative]).
+    const bool may_have_value = !option->get_option_text().empty();
+    if (is_flag && !may_have_value) option->disable_flag_override();
+    if (option->nonpositional() && !is_flag) refuse_as_values(*option, options);
+  }
+  for (CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
+    deal_words_to_options(*one);
+}
 
 std::string unknown_word_text(const CLI::App& app) {
   const std::vector<const CLI::App*> chain = called_commands(app);

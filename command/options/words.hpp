@@ -14,7 +14,8 @@ namespace circumspect::cli {
 // Has each option of a command and of all its subcommands take one word, also where it may be given
 // several times: otherwise it would take those behind it as well, and a `--` with them, behind
 // which a program has options of its own. Flags take none: CLI11 would read --oriented=no and
-// --quiet=3 as something. Called when all options are there.
+// --quiet=3 as something. The name of another option of the command is not a value. Called when all
+// options are there.
 void deal_words_to_options(CLI::App& app);
 
 // "circumspect build cdt"

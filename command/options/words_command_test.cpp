@@ -48,6 +48,18 @@ TEST_CASE("options") {
             "found --tiem; the nearest is --time"));
 }
 
+TEST_CASE("an option without its value does not take the next option for it") {
+  const ScratchFolder folder;
+  CHECK(has(said({"check", "m.ele", "--html", "--color"}),
+            "--html: expected FILE, found the option --color"));
+  CHECK(has(said({"check", "m.ele", "--domain", "-q"}), "found the option -q"));
+  CHECK(has(said({"build", "cdt", "x.poly", "-o", "--format"}), "found the option --format"));
+  CHECK(has(said({"campaign", "--output", "--time", "1s", "--", "true"}),
+            "--output: expected FOLDER, found the option --time"));
+  // A name that is no option of this command is one that a file may have.
+  CHECK(run({"check", "m.ele", "--html", "--no-such-option"}).exit_code == 3);
+}
+
 TEST_CASE("options of another command") {
   CHECK(
       said({"compare", "a.ele", "b.ele", "--neighbors"})
