@@ -67,6 +67,10 @@ void write_scale(Lines& lines, const ScaledPoints& points);
 // Coordinates, and the weight if `weighted`.
 void write_point(Lines& lines, const ScaledPoints& points, Vertex v, bool weighted);
 
+// All points in this order, each with the index by which the user knows it.
+void write_points(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
+                  const std::vector<Vertex>& order);
+
 // Numerators and denominator.
 void write_point(Lines& lines, const HomogeneousPoint& point);
 

@@ -42,13 +42,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const LineCertificate& cert
   write_first_line(lines, "circumspect-certificate 1", certificate.claim,
                    certificate.points.dimension, "line");
   write_scale(lines, certificate.points);
-  lines << "points" << certificate.order.size();
-  lines.end_line();
-  for (const Vertex v : certificate.order) {
-    write_point(lines, certificate.points, v, false);
-    lines.gap() << mesh.label(v);
-    lines.end_line();
-  }
+  write_points(lines, mesh, certificate.points, certificate.order);
   const std::vector<std::size_t> number = numbers_in(certificate.order);
   lines << "simplices" << mesh.simplices.size();
   lines.end_line();

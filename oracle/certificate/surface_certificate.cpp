@@ -41,13 +41,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const SurfaceCertificate& c
   write_first_line(lines, "circumspect-certificate 1", Claim::kSurfaceDelaunay,
                    certificate.points.dimension);
   write_scale(lines, certificate.points);
-  lines << "points" << certificate.order.size();
-  lines.end_line();
-  for (const Vertex v : certificate.order) {
-    write_point(lines, certificate.points, v, false);
-    lines.gap() << mesh.label(v);
-    lines.end_line();
-  }
+  write_points(lines, mesh, certificate.points, certificate.order);
   const std::vector<std::size_t> number = numbers_in(certificate.order);
   std::vector<std::array<std::size_t, kTriangle>> listed(mesh.simplices.size());
   for (std::size_t k = 0; k < certificate.edges.size(); ++k) {

@@ -295,7 +295,8 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
 
     `function(points)` (with weights: `function(points, weights)`) returns simplices, or a mesh object. Instead of
     points, pass a Domain to test `function(domain)`. `duplicates`: as in `campaign`. Raises ValueError if the
-    function is right on it, and InputError if points are equal, unless they are to be merged.
+    function is right on it, or if numbers do not fit doubles; TypeError for what is not a number; and InputError if
+    points are equal, unless they are to be merged.
     """
     import numpy as np
 

@@ -1,5 +1,5 @@
 // Parts that were meshed apart: equal points, hanging vertices, diagonals that cross, parts that
-// lie in each other; and points of no part.
+// lie in each other.
 #include <algorithm>
 #include <set>
 #include <vector>
@@ -161,21 +161,6 @@ std::optional<Cause> parts_in_each_other(Case& of) {
                                   : report::counted(facts.overlapping_parts, "pair") + " of parts",
                               facts.dimension == 2 ? "pass through" : "overlap"),
                   overlaps);
-}
-
-std::optional<Cause> unused_points(Case& of) {
-  // If indices name no points, others are left over.
-  if (of.verdict().claim() != Claim::kComplex || of.breaks(Rule::kUnknownVertex)) {
-    return std::nullopt;
-  }
-  const std::size_t count = of.count(Rule::kUnusedPoint);
-  return of.cause("unused-points",
-                  fmt::format("{} {} in no {}: --allow-unused lets {} pass{}",
-                              report::counted(count, "point"), count == 1 ? "is" : "are",
-                              report::simplices_noun(of.verdict().complex->dimension, 1),
-                              count == 1 ? "it" : "them",
-                              count == of.violations() ? ", and the claim holds" : ""),
-                  count);
 }
 
 }  // namespace circumspect::check

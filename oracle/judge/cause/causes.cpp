@@ -28,7 +28,7 @@ const std::vector<Row>& rows() {
       {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
         Rule::kUnusedPoint, Rule::kDomainVertexMissing, Rule::kSegmentMissing},
        missing_simplices},
-      {{Rule::kUnusedPoint}, unused_points},
+      {{Rule::kUnusedPoint}, left_over_points},
       {{Rule::kHullNotClosed, Rule::kHullNotConvex, Rule::kUncovered, Rule::kPolygonNotTiled,
         Rule::kFacesCross, Rule::kOverlap},
        crossed_diagonals},

@@ -1,11 +1,12 @@
-// Lists that were read otherwise than they were meant: indices that begin at another number, and
-// columns that are neither indices nor coordinates.
+// Lists that were read otherwise than they were meant: indices that begin at another number,
+// columns that are neither indices nor coordinates, and points that are there for something else.
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "oracle/judge/cause/rows.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -161,6 +162,21 @@ std::optional<Cause> last_coordinate_is_none(Case& of) {
                       ? "the last column of the points is a label: without it, the claim holds"
                       : "the last coordinate is a height: seen along that axis, the claim holds",
                   mended->explains);
+}
+
+std::optional<Cause> left_over_points(Case& of) {
+  // If indices name no points, others are left over.
+  if (of.verdict().claim() != Claim::kComplex || of.breaks(Rule::kUnknownVertex)) {
+    return std::nullopt;
+  }
+  const std::size_t count = of.count(Rule::kUnusedPoint);
+  return of.cause("unused-points",
+                  fmt::format("{} {} in no {}: --allow-unused lets {} pass{}",
+                              report::counted(count, "point"), count == 1 ? "is" : "are",
+                              report::simplices_noun(of.verdict().complex->dimension, 1),
+                              count == 1 ? "it" : "them",
+                              count == of.violations() ? ", and the claim holds" : ""),
+                  count);
 }
 
 }  // namespace circumspect::check

@@ -28,8 +28,8 @@ std::optional<Cause> hanging_vertices(Case& of);
 std::optional<Cause> crossed_diagonals(Case& of);
 std::optional<Cause> parts_in_each_other(Case& of);
 
-// The claim `complex` alone knows of points that may be used by nothing.
-std::optional<Cause> unused_points(Case& of);
+// The claim `complex` alone knows of points that no simplex has to use.
+std::optional<Cause> left_over_points(Case& of);
 
 // The simplices beside the vertices are cut, and their facets compared.
 std::optional<Cause> vertices_beside_faces(Case& of);

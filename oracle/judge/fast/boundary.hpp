@@ -86,7 +86,8 @@ class Boundary {
     turns.reserve(facets.size() * kDimension);
     for (const FacetId facet : facets) {
       const std::size_t s = facet.simplex(), apex = facet.place();
-      const int side = orientation_with(row_of(s), apex, sample_, stages) * orientations_.of(s);
+      const int side = orientation_with(mesh_.template sites<false>(s), apex, sample_, stages) *
+                       orientations_.of(s);
       if (!conditions::is_strictly_inside(side)) return Undecided::kBeyondHullFacet;
       list_turns(facet, turns);
     }
@@ -95,21 +96,14 @@ class Boundary {
       const std::size_t s = turn.facet.simplex(), apex = turn.facet.place();
       if (turn.far == mesh_.row(s)[apex]) continue;  // both facets are of this simplex
       const Site<kDimension> far = mesh_.template site<false>(turn.far);
-      if (orientation_with<kDimension>(row_of(s), apex, far, stages, lattice_) *
+      if (orientation_with<kDimension>(mesh_.template sites<false>(s), apex, far, stages,
+                                       lattice_) *
               orientations_.of(s) <
           0) {
         return Undecided::kHullNotConvex;
       }
     }
     return std::nullopt;
-  }
-
-  SiteRow<kDimension> row_of(std::size_t s) const {
-    SiteRow<kDimension> row;
-    for (std::size_t i = 0; i < kVertices; ++i) {
-      row[i] = mesh_.template site<false>(mesh_.row(s)[i]);
-    }
-    return row;
   }
 
   // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the

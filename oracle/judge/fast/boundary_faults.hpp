@@ -35,14 +35,6 @@ class BoundaryFaults {
  private:
   static constexpr std::size_t kVertices = kDimension + 1;
 
-  SiteRow<kDimension> sites_of(std::size_t s) const {
-    SiteRow<kDimension> row;
-    for (std::size_t i = 0; i < kVertices; ++i) {
-      row[i] = mesh_.template site<false>(mesh_.row(s)[i]);
-    }
-    return row;
-  }
-
   struct RidgeUse {
     std::array<Index, kDimension - 1> ridge;  // ascending
     FacetId facet;
@@ -114,21 +106,22 @@ class BoundaryFaults {
   }
 
   void judge_sample_point(const std::vector<FacetId>& boundary) {
-    const SamplePoint<kDimension> sample = barycentre_of<kDimension>(sites_of(0), 0);
-    faults_.beyond =
-        list_in_chunks<FacetId>(boundary.size(), threads_, faults_.stages,
-                                [&](std::size_t i, std::vector<FacetId>& found, Stages& stages) {
-                                  const FacetId facet = boundary[i];
-                                  const int side = orientation_with(sites_of(facet.simplex()),
-                                                                    facet.place(), sample, stages) *
-                                                   orientations_[facet.simplex()];
-                                  if (!conditions::is_strictly_inside(side)) found.push_back(facet);
-                                });
+    const SamplePoint<kDimension> sample =
+        barycentre_of<kDimension>(mesh_.template sites<false>(0), 0);
+    faults_.beyond = list_in_chunks<FacetId>(
+        boundary.size(), threads_, faults_.stages,
+        [&](std::size_t i, std::vector<FacetId>& found, Stages& stages) {
+          const FacetId facet = boundary[i];
+          const int side = orientation_with(mesh_.template sites<false>(facet.simplex()),
+                                            facet.place(), sample, stages) *
+                           orientations_[facet.simplex()];
+          if (!conditions::is_strictly_inside(side)) found.push_back(facet);
+        });
     if (!faults_.beyond.empty()) return;
     faults_.covering = list_in_chunks<std::size_t>(
         mesh_.size(), threads_, faults_.stages,
         [&](std::size_t s, std::vector<std::size_t>& found, Stages& stages) {
-          if (s > 0 && covers(sites_of(s), orientations_[s], sample, stages)) {
+          if (s > 0 && covers(mesh_.template sites<false>(s), orientations_[s], sample, stages)) {
             found.push_back(s);
           }
         });

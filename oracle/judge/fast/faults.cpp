@@ -54,13 +54,6 @@ class FaultFinder {
     return list_in_chunks<Item>(count, threads_, faults_.stages, look);
   }
 
-  SiteRow<kDimension> sites_of(std::size_t s) const {
-    SiteRow<kDimension> row;
-    for (std::size_t i = 0; i < kVertices; ++i) {
-      row[i] = mesh_.template site<false>(mesh_.row(s)[i]);
-    }
-    return row;
-  }
   static Set sorted_set(Row row) {
     Set set;
     std::copy(row.begin(), row.end(), set.begin());
@@ -180,7 +173,7 @@ class FaultFinder {
           int sign = 0;
           const auto row = mesh_.row(s);
           if (std::all_of(row.begin(), row.end(), [&](Index v) { return mesh_.names_point(v); })) {
-            sign = orientation<kDimension>(sites_of(s), stages);
+            sign = orientation<kDimension>(mesh_.template sites<false>(s), stages);
           }
           orientations_[s] = static_cast<std::int8_t>(sign);
           if (sign == 0) unsound.push_back(s);

@@ -69,6 +69,13 @@ struct MeshView {
     if constexpr (kWeighted) site.weight = weights[place];
     return site;
   }
+  // Of the vertices of a simplex. Requires: they name points; weights, if kWeighted.
+  template <bool kWeighted>
+  SiteRow<kDimension> sites(std::size_t s) const {
+    SiteRow<kDimension> sites;
+    for (std::size_t i = 0; i < kVertices; ++i) sites[i] = site<kWeighted>(row(s)[i]);
+    return sites;
+  }
 };
 
 // The vertices of the facet of a simplex opposite one of them, ascending.

@@ -86,8 +86,7 @@ std::vector<std::size_t> doubtful_balls(const MeshView<3, Index>& mesh,
   const BoxTree tree(std::move(points));
   const Lattice lattice = lattice_of_all(mesh.coordinates, {});
   const auto is_empty = [&](std::size_t s) {
-    SiteRow<3> row;
-    for (std::size_t i = 0; i < 4; ++i) row[i] = mesh.template site<false>(mesh.row(s)[i]);
+    const SiteRow<3> row = mesh.template sites<false>(s);
     const auto bounds = BallInBounds::of(row);
     if (!bounds) return false;
     Stages stages;  // not used: the sweep counts those of a mesh

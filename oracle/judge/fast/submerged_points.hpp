@@ -33,7 +33,7 @@ class SubmergedPoints {
       const std::size_t place = simplices[i];
       if (place == kNoSimplex) return Undecided::kUnusedPoint;
       const Site<kDimension> site = mesh_.template site<true>(static_cast<Index>(unused[i]));
-      const SiteRow<kDimension> row = row_of(place);
+      const SiteRow<kDimension> row = mesh_.template sites<true>(place);
       for (const Site<kDimension>& vertex : row) {
         if (vertex.at == site.at) return Undecided::kEqualPoints;
       }
@@ -51,14 +51,6 @@ class SubmergedPoints {
 
  private:
   static constexpr std::size_t kVertices = kDimension + 1;
-
-  SiteRow<kDimension> row_of(std::size_t s) const {
-    SiteRow<kDimension> row;
-    for (std::size_t i = 0; i < kVertices; ++i) {
-      row[i] = mesh_.template site<true>(mesh_.row(s)[i]);
-    }
-    return row;
-  }
 
   bool any_equal(const std::vector<std::size_t>& unused) const {
     const auto at = [&](std::size_t v) {
@@ -85,7 +77,7 @@ class SubmergedPoints {
     }
     int side(std::size_t s, std::size_t place, std::size_t point) const {
       const Site<kDimension> site = mesh.mesh_.template site<true>(static_cast<Index>(point));
-      return orientation_with<kDimension>(mesh.row_of(s), place, site, stages) *
+      return orientation_with<kDimension>(mesh.mesh_.template sites<true>(s), place, site, stages) *
              mesh.orientations_.of(s);
     }
     std::size_t across(std::size_t s, std::size_t place) const {
