@@ -116,8 +116,8 @@ std::optional<Cause> indices_begin_elsewhere(Case& of) {
 std::optional<Cause> faces_begin_elsewhere(Case& of) {
   constexpr std::size_t kFewest = 4;  // fewer may be faces by chance
   const Mesh& mesh = of.mesh();
-  const std::size_t stray = of.count(Rule::kStrayFace), listed = mesh.faces.size();
-  if (listed < kFewest || 2 * stray < listed) return std::nullopt;
+  const std::size_t listed = mesh.faces.size();
+  if (listed < kFewest) return std::nullopt;
   for (const Vertex shift : {Vertex{-1}, Vertex{1}}) {
     if (!are_faces_if_shifted(mesh, shift)) continue;
     const Vertex first = mesh.label(0);
@@ -125,7 +125,7 @@ std::optional<Cause> faces_begin_elsewhere(Case& of) {
                     fmt::format("the indices of the listed faces seem to begin at {}, not at {}: "
                                 "so read, all {} are faces of simplices",
                                 first - shift, first, listed),
-                    stray);
+                    of.count(Rule::kStrayFace));
   }
   return std::nullopt;
 }
