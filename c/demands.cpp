@@ -31,6 +31,7 @@ constexpr Demand kDemands[] = {
     {"allow-unused", Claim::kComplex, [](check::Options& o) { o.complex.allow_unused = true; }},
     {"all-boundary-points", Claim::kConvexHull,
      [](check::Options& o) { o.hull.all_boundary_points = true; }},
+    {"structure", Claim::kVoronoi, [](check::Options& o) { o.structure = true; }},
     {"only-extreme", Claim::kConvexHull, [](check::Options& o) { o.hull.only_extreme = true; }},
 };
 

@@ -13,10 +13,10 @@ namespace circumspect::corpus {
 inline const std::string kVoronoiFolder = CIRCUMSPECT_CORPUS_DIR "/voronoi/";
 
 // A diagram in qvoronoi's form, its sites, and the rules that it breaks. If corners were rounded,
-// it is judged within 1e-12.
+// it is judged within 1e-12; its vertices and ridges are, if that is asked for.
 struct VoronoiRow {
   std::string cells, sites;
-  bool is_rounded = false;
+  bool is_rounded = false, has_structure = false;
   std::set<std::string> broken = {};
 };
 
@@ -25,7 +25,10 @@ inline std::vector<VoronoiRow> voronoi_rows() {
   std::vector<VoronoiRow> rows;
   for (std::string line; std::getline(file, line);) {
     const std::vector<std::string> cells = split(line, '\t');
-    VoronoiRow row{cells.at(0), cells.at(1), !cells.at(2).empty()};
+    const auto has = [&](const char* option) {
+      return cells.at(2).find(option) != std::string::npos;
+    };
+    VoronoiRow row{cells.at(0), cells.at(1), has("--within"), has("--structure")};
     if (cells.at(3) != "holds") row.broken = {cells.at(3)};
     rows.push_back(row);
   }

@@ -20,7 +20,8 @@ VoronoiDiagram diagram_of(const VoronoiRow& row) {
   REQUIRE(source);
   auto file = formats::read_voronoi(*source, NumberReading::kDouble);
   REQUIRE(file);
-  return {PointSet(points->points.points.points()), file->vertices, file->cells, file->neighbors};
+  return {PointSet(points->points.points.points()), file->vertices, file->cells, file->neighbors,
+          file->ridges};
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ TEST_CASE("each diagram breaks the rule that its table names, or holds") {
     for (const bool definition : {false, true}) {
       if (definition && diagram.sites.size() > kTooManyByDefinition) continue;
       by_definition += definition ? 1 : 0;
-      const Verdict verdict = check::judge_voronoi(diagram, {}, distance * distance, definition, 1);
+      const Verdict verdict =
+          check::judge_voronoi(diagram, {}, distance * distance, definition, 1, row.has_structure);
       CHECK(broken_rules(verdict) == row.broken);
     }
   }

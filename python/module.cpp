@@ -137,9 +137,10 @@ Object check(const std::optional<std::string>& claim, const MeshArgument& mesh,
 // of the cells; the two corners of a box, or nothing.
 Object check_voronoi(std::int64_t dimension, const Doubles& sites, const Doubles& vertices,
                      const Indices& cell_starts, const Indices& corners, const Indices& ridges,
+                     const Indices& ridge_starts, const Indices& ridge_ends,
                      const std::optional<Doubles>& box, const std::string& within,
                      std::int64_t max_violations, bool by_definition, const std::string& name,
-                     double limit) {
+                     double limit, const std::string& demands) {
   circumspect_voronoi diagram = CIRCUMSPECT_VORONOI;
   diagram.dimension = dimension;
   diagram.site_count = static_cast<std::int64_t>(sites.size()) / dimension;
@@ -150,11 +151,14 @@ Object check_voronoi(std::int64_t dimension, const Doubles& sites, const Doubles
   diagram.corners = corners.data();
   diagram.ridge_count = static_cast<std::int64_t>(ridges.size()) / 2;
   diagram.ridges = ridges.data();
+  diagram.ridge_starts = ridge_starts.data();
+  diagram.ridge_ends = ridge_ends.data();
   diagram.box = box ? box->data() : nullptr;
   circumspect_options options = CIRCUMSPECT_OPTIONS;
   options.max_violations = max_violations;
   options.by_definition = by_definition ? 1 : 0;
   options.within = within.c_str();
+  options.demands = demands.c_str();
   options.mesh_name = name.c_str();
   options.with_pictures = 1;
   std::shared_ptr<circumspect_verdict> own;

@@ -55,6 +55,15 @@ def test_a_surface():
 def test_a_diagram_of_scipy_is_right_within_rounding(dimension):
     diagram = scipy.spatial.Voronoi(POINTS[:30 if dimension == 2 else 12, :dimension])
     assert circumspect.check_voronoi(diagram, within=1e-9)
+    assert circumspect.check_voronoi(diagram, within=1e-9, structure=True).holds
+    listed = diagram.ridge_vertices
+    large = next(i for i, ends in enumerate(listed) if len(ends) > dimension - 1 and -1 not in ends)
+    diagram.ridge_vertices = [ends[1:] if i == large else ends for i, ends in enumerate(listed)]
+    assert "voronoi.ridge-differs" in circumspect.check_voronoi(diagram, within=1e-9, structure=True).rules
+    diagram.ridge_vertices = listed
+    with pytest.raises(ValueError, match="expected ridge_vertices beside structure, found none"):
+        circumspect.check_voronoi(diagram.points, diagram.vertices, [diagram.regions[i] for i in diagram.point_region],
+                                  diagram.ridge_points, within=1e-9, structure=True)
     assert not circumspect.check_voronoi(diagram)
     diagram.vertices[3] += 0.5
     assert not circumspect.check_voronoi(diagram, within=1e-9)

@@ -126,6 +126,7 @@ std::string usage_fault(CheckOptions& options) {
       contradiction(memory, list),
       dependence({options.check.hull.all_boundary_points, "--all-boundary-points"}, hull),
       dependence({options.check.hull.only_extreme, "--only-extreme"}, hull),
+      dependence({options.check.structure, "--structure"}, voronoi),
       dependence(box, boxed),
       dependence(lattice, periodic),
       contradiction(lattice, box),
@@ -186,6 +187,9 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
                 "the hull is a vertex"},
                {"--only-extreme", "", flag(hull.only_extreme),
                 "With the claim convex-hull: demand that every vertex is an extreme point"}});
+  add_options(command, {{"--structure", "", flag(options.check.structure),
+                         "With the claim voronoi: demand that the listed vertices and ridges are "
+                         "those of the diagram, too, up to the distance of --within"}});
   add_box_option(command, options.box);
   add_lattice_option(command, options.lattice);
   add_options(command, {{"--neighbors", "", flag(options.input.neighbors),

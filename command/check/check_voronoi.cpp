@@ -7,6 +7,7 @@
 #include "command/options/option_rows.hpp"
 #include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/voronoi_file.hpp"
+#include "oracle/judge/voronoi/judge_structure.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
 #include "oracle/report/text.hpp"
 
@@ -35,6 +36,7 @@ tl::expected<LoadedDiagram, std::string> load_diagram(const std::string& path,
   loaded.diagram.vertices = std::move(file->vertices);
   loaded.diagram.cells = std::move(file->cells);
   loaded.diagram.neighbors = std::move(file->neighbors);
+  loaded.diagram.ridges = std::move(file->ridges);
   return loaded;
 }
 
@@ -75,7 +77,8 @@ void check_voronoi(const std::string& path, const VoronoiQuestion& question, Pic
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  const std::string fault = check::fault_of_diagram(loaded->diagram, question.box);
+  std::string fault = check::fault_of_diagram(loaded->diagram, question.box);
+  if (fault.empty() && question.check.structure) fault = check::fault_of_structure(loaded->diagram);
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
     return;
@@ -84,7 +87,8 @@ void check_voronoi(const std::string& path, const VoronoiQuestion& question, Pic
   const Distance distance = question.within.value_or(Distance{});
   const Verdict verdict = check::judge_voronoi(
       loaded->diagram, question.box, distance.squared(loaded->diagram.sites.points()),
-      question.check.by == check::By::kDefinition, question.check.max_violations);
+      question.check.by == check::By::kDefinition, question.check.max_violations,
+      question.check.structure);
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
   if (output.wants_text()) {
     output.text(report::explanation(verdict, loaded->sites));

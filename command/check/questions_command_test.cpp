@@ -164,6 +164,11 @@ TEST_CASE("build voronoi: what it makes is what check reads, and holds within it
   const Run exact = checked(cells, "voronoi", {"--points", lists.points, "--within", "1e-12"});
   CHECK(exact.exit_code == 0);
   CHECK(has(exact.out, " 6 sites 6 cells within "));
+  const Run structure =
+      checked(cells, "voronoi", {"--points", lists.points, "--within", "1e-12", "--structure"});
+  CHECK(structure.exit_code == 0);
+  CHECK(has(structure.out, " vertices "));
+  CHECK(has(structure.out, " ridges\n"));
   const Run boxed =
       checked(cells, "voronoi", {"--points", lists.points, "--box", "0,0,1,1", "--within=1e-12x"});
   CHECK(boxed.exit_code == 0);
@@ -182,6 +187,11 @@ TEST_CASE("check --claim voronoi: the box and the distance") {
   const Run missing = checked(cells, "voronoi", {"--points", lists.points});
   CHECK(missing.exit_code == 1);
   CHECK(has(missing.out, "voronoi.cell-missing 6 vertex 0"));
+  const Run bare = checked(cells, "voronoi", {"--points", lists.points, "--structure"});
+  CHECK(bare.exit_code == 3);
+  CHECK(has(bare.err, "expected ridges with their ends for --structure, found none: run qvoronoi"));
+  CHECK(has(run({"check", lists.hull, "--structure"}).err,
+            "expected --claim voronoi beside --structure, found none"));
   const Run box = checked(cells, "voronoi", {"--points", lists.points, "--box", "1,1,0,2"});
   CHECK(box.exit_code == 2);
   CHECK(has(box.err, "expected X0,Y0,X1,Y1 or X0,Y0,Z0,X1,Y1,Z1 with X0 < X1 and so on"));

@@ -51,13 +51,13 @@ def entries():
     dice = Random(1)
     sites = [(dice.random(), dice.random()) for _ in range(40)]
     write("uniform-2d", sites, *diagram(sites))
-    yield "uniform-2d", "forty random sites, corners rounded to doubles", "--within 1e-12x", "holds"
+    yield "uniform-2d", "forty random sites, corners rounded to doubles", "--within 1e-12x --structure", "holds"
     vertices, cells, ridges = diagram(SQUARE)
     write("square", SQUARE, vertices, cells, ridges)
-    yield "square", "a square and its centre, whose cells have no rounded corner", "", "holds"
+    yield "square", "a square and its centre, whose cells have no rounded corner", "--structure", "holds"
     grid = [(x, y) for x in range(4) for y in range(4)]
     write("grid-2d", grid, *diagram(grid))
-    yield "grid-2d", "a grid: four cells meet at each corner, which is listed twice", "", "holds"
+    yield "grid-2d", "a grid: four cells meet at each corner, which is listed twice", "--structure", "holds"
     write("clipped", SQUARE[:1] + SQUARE[2:3], [(-2, 6), (-2, -2), (6, -2), (6, 6)], [[1, 2, 3], [1, 3, 4]], [])
     yield "clipped", "two sites with cells that were cut off at a box, as polygons", "", "holds"
     moved = [(x + (x == 2 and y == 4) / 64, y) for x, y in vertices]
@@ -66,6 +66,13 @@ def entries():
     write("cell-missing", SQUARE, vertices, [*cells[:4], []], ridges)
     yield "cell-missing", "the cell of the centre has no corners", "--within 1e-12x", "voronoi.cell-missing"
     write("unknown-vertex", SQUARE, vertices, [*cells[:4], [*cells[4], 9]], ridges)
+    write("vertex-unmatched", SQUARE, [*vertices, (2.5, 2.5)], cells, ridges)
+    yield "vertex-unmatched", "a vertex is listed that no cell has", "--structure", "voronoi.vertex-unmatched"
+    write("ridge-missing", SQUARE, vertices, cells, [ridge for ridge in ridges if ridge[:2] != [0, 4]])
+    yield "ridge-missing", "the ridge between the centre and a corner is not listed", "--structure", "voronoi.ridge-missing"
+    other = {1: 2, 2: 3, 3: 4, 4: 1}
+    write("ridge-differs", SQUARE, vertices, cells, [[*r[:2], *(other[v] for v in r[2:])] if r[:2] == [0, 4] else r for r in ridges])
+    yield "ridge-differs", "the ridge between the centre and a corner has the ends of another", "--structure", "voronoi.ridge-differs"
     yield "unknown-vertex", "a cell has corner 9 of 4", "", "voronoi.unknown-vertex"
 
 

@@ -174,10 +174,14 @@ typedef struct circumspect_voronoi {
   int64_t ridge_count;
   const int64_t* ridges;
   const double* box; /* NULL for the usual one, or the least and then the largest coordinates */
+  /* For the demand "structure", else NULL: ridge r has the ends ridge_starts[r] … ridge_starts[r+1] − 1, as the
+   * corners of cells. */
+  const int64_t* ridge_starts; /* ridge_count + 1, ascending from 0 */
+  const int64_t* ridge_ends;
 } circumspect_voronoi;
 
 #define CIRCUMSPECT_VORONOI \
-  { sizeof(circumspect_voronoi), 0, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, NULL }
+  { sizeof(circumspect_voronoi), 0, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, NULL, NULL, NULL }
 
 typedef struct circumspect_options {
   size_t struct_size;     /* set by CIRCUMSPECT_OPTIONS */
@@ -228,7 +232,8 @@ CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
                                                      const circumspect_options* options,
                                                      circumspect_verdict** verdict);
 /* Judges, exactly, whether the cells are the Voronoi cells of the sites, within a box, and within the
- * distance that `within` of the options names (NULL: 0). Equal sites are CIRCUMSPECT_INPUT_FAULT. */
+ * distance that `within` of the options names (NULL: 0); with the demand "structure" also whether the vertices
+ * and the ridges are those of the diagram. Equal sites are CIRCUMSPECT_INPUT_FAULT. */
 CIRCUMSPECT_API circumspect_status circumspect_check_voronoi(const circumspect_voronoi* diagram,
                                                              const circumspect_options* options,
                                                              circumspect_verdict** verdict);

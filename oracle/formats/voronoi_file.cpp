@@ -1,10 +1,25 @@
 #include "oracle/formats/voronoi_file.hpp"
 
+#include <span>
+
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
 namespace {
+
+// Vertex 0 is at infinity.
+ListedCell cell_of(std::span<const Vertex> vertices) {
+  ListedCell cell;
+  for (const Vertex v : vertices) {
+    if (v == 0) {
+      cell.is_unbounded = true;
+    } else {
+      cell.corners.push_back(v - 1);
+    }
+  }
+  return cell;
+}
 
 class VoronoiReader {
  public:
@@ -76,15 +91,7 @@ class VoronoiReader {
     for (std::size_t c = 0; c < cells_; ++c) {
       const auto row = indices("the vertices of cell " + std::to_string(c) + " after their number");
       if (!row) return tl::unexpected(row.error());
-      ListedCell cell;
-      for (const Vertex v : *row) {
-        if (v == 0) {
-          cell.is_unbounded = true;
-        } else {
-          cell.corners.push_back(v - 1);
-        }
-      }
-      file_.cells.push_back(std::move(cell));
+      file_.cells.push_back(cell_of(*row));
     }
     return {};
   }
@@ -98,6 +105,7 @@ class VoronoiReader {
       if (!row) return tl::unexpected(row.error());
       if (row->size() < 2) return lines_.fail("a ridge of two sites", "fewer numbers");
       file_.neighbors.push_back({(*row)[0], (*row)[1]});
+      file_.ridges.push_back(cell_of(std::span(*row).subspan(2)));
     }
     if (lines_.next()) return lines_.fail("the end of the file", "more lines");
     return {};

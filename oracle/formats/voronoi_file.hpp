@@ -26,6 +26,7 @@ struct VoronoiFile {
   std::vector<Point> vertices = {};    // without the one at infinity
   std::vector<ListedCell> cells = {};  // indices that name no vertex stay, for the judge to report
   std::vector<std::array<Vertex, 2>> neighbors = {};
+  std::vector<ListedCell> ridges = {};  // of each of these by its ends
 };
 
 Result<VoronoiFile> read_voronoi(const Source& source, NumberReading reading);

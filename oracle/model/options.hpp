@@ -22,6 +22,7 @@ struct Options {
   ComplexDemands complex = {};      // of the claim `complex`, instead of `oriented`
   QualityDemands quality = {};      // beside any claim: judged by oracle/judge/judge.hpp
   HullDemands hull = {};            // of the claim `convex-hull`
+  bool structure = false;           // of the claim `voronoi`: demand its vertices and ridges, too
   std::size_t max_violations = 20;  // witnesses kept; 0: all
   // Threads of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine
   // has. The answer is the same for any number.

@@ -164,10 +164,17 @@ struct SurfaceFacts {
   std::size_t interior_edges = 0, boundary_edges = 0, edges_of_many = 0;
 };
 
+// Where the vertices and ridges of a Voronoi diagram are judged: how many places in the box have a
+// vertex, and how many ridges have different ends.
+struct StructureFacts {
+  std::size_t vertices = 0, ridges = 0;
+};
+
 // For the claim `voronoi`: how far the farthest cell is from the exact one, and its site.
 struct VoronoiFacts {
   Rational squared_distance = 0;
   std::optional<Vertex> site = {};  // none if all are exact
+  std::optional<StructureFacts> structure = {};
 };
 
 class Verdict {

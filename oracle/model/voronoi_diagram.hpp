@@ -24,6 +24,7 @@ struct VoronoiDiagram {
   // Pairs of sites whose cells have a common ridge; need not be all, since Qhull leaves out those
   // with too few vertices. They tell where the directions of unbounded cells end.
   std::vector<std::array<Vertex, 2>> neighbors = {};
+  std::vector<ListedCell> ridges = {};  // of each of these pairs by its ends, if they are listed
 };
 
 // A box that is not flat, in which cells are compared.

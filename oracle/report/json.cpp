@@ -119,6 +119,10 @@ Json voronoi_facts(const VoronoiFacts& facts, const Mesh& sites) {
   Json object = {{"squared_distance", value(facts.squared_distance)},
                  {"distance_rounded_up", square_root_rounded_up(facts.squared_distance)}};
   if (facts.site) object["site"] = sites.label(*facts.site);
+  if (facts.structure) {
+    object["vertices"] = facts.structure->vertices;
+    object["ridges"] = facts.structure->ridges;
+  }
   return object;
 }
 

@@ -181,11 +181,17 @@ std::string surface_text(const SurfaceFacts& facts) {
   return text;
 }
 
-// " within ~ 1.2e-16 at site 7": the least distance within which all cells are the exact ones
+// " within ~ 1.2e-16 at site 7": the least distance within which all cells are the exact ones; and
+// if they were asked for, how many vertices and ridges there are in the box
 std::string voronoi_text(const VoronoiFacts& facts, const Mesh& sites) {
-  if (!facts.site) return " within 0";
-  return fmt::format(" within ~ {} at site {}", square_root_rounded_up(facts.squared_distance),
-                     sites.label(*facts.site));
+  std::string text = " within 0";
+  if (facts.site) {
+    text = fmt::format(" within ~ {} at site {}", square_root_rounded_up(facts.squared_distance),
+                       sites.label(*facts.site));
+  }
+  if (!facts.structure) return text;
+  return text + fmt::format(" {} {}", counted(facts.structure->vertices, "vertex", "vertices"),
+                            counted(facts.structure->ridges, "ridge"));
 }
 
 }  // namespace

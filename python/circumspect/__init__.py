@@ -146,8 +146,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
                                seconds_of(limit), False, requirements_of(require), except_sharp, *repeated))
 
 
-def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), *, within: Any = 0,
-                  box: Any = None, max_errors: int = 20, by: str = "lemma", limit: Optional[float] = None,
+def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), ridge_vertices: Any = (), *,
+                  within: Any = 0, structure: bool = False, box: Any = None, max_errors: int = 20, by: str = "lemma", limit: Optional[float] = None,
                   name: str = "cells") -> Verdict:
     """Judges, exactly, whether cells are the Voronoi cells of sites, within a box and up to a distance.
 
@@ -155,7 +155,9 @@ def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: A
     vertices: (m, d) doubles.
     cells: for each site the indices of the corners of its cell, in any order, with -1 if it is unbounded.
     ridges: (r, 2) integers, pairs of sites whose cells have a common ridge; unbounded cells need them.
+    ridge_vertices: for each ridge the indices of its vertices, with -1 if it is unbounded; `structure` needs them.
     within: how far a cell may be from the exact one, an exact number. The verdict names the least distance.
+    structure: demand that the vertices and ridges are those of the diagram, too. Within the distance vertices count as one.
     box: the least and the largest coordinates; by default the box of the sites, enlarged on each side by half its
         longest edge. What is outside is not judged.
 
@@ -167,9 +169,12 @@ def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: A
     """
     if by not in ("lemma", "definition"):
         raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
-    parts = diagram_parts(diagram_of(sites, vertices, cells, ridges), box)
+    diagram = diagram_of(sites, vertices, cells, ridges, ridge_vertices)
+    if structure and not len(diagram.ridge_vertices) and len(diagram.sites) > 1:
+        raise ValueError("expected ridge_vertices beside structure, found none")
+    parts = diagram_parts(diagram, box)
     return Verdict(_core.check_voronoi(*parts, number_text(within, "a distance"), max_errors, by == "definition", name,
-                                       seconds_of(limit)))
+                                       seconds_of(limit), "structure" if structure else ""))
 
 
 def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:

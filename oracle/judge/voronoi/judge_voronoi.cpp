@@ -6,9 +6,11 @@
 #include "oracle/judge/definition/distance.hpp"
 #include "oracle/judge/definition/voronoi.hpp"
 #include "oracle/judge/voronoi/clipped_cell.hpp"
+#include "oracle/judge/voronoi/judge_structure.hpp"
 #include "oracle/judge/voronoi/listed_cell.hpp"
 #include "oracle/judge/voronoi/nearest_in_hull.hpp"
 #include "oracle/judge/voronoi/sites_around.hpp"
+#include "oracle/judge/voronoi/structure_by_corners.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -27,6 +29,13 @@ class VoronoiJudge {
     for (Vertex site = 0; diagram_.sites.names(site); ++site) {
       if (names_vertices(site)) compare(site, squared_distance);
     }
+  }
+
+  void judge_vertices_and_ridges(const Rational& squared_distance) {
+    const definition::VoronoiStructure exact =
+        by_definition_ ? definition::exact_structure(diagram_.sites, box_)
+                       : structure_by_corners(diagram_.sites, *around_);
+    judge_structure(diagram_, box_, squared_distance, exact, by_definition_, verdict_);
   }
 
  private:
@@ -127,14 +136,16 @@ std::string fault_of_diagram(const VoronoiDiagram& diagram, const std::optional<
 
 Verdict judge_voronoi(const VoronoiDiagram& diagram, const std::optional<JudgedBox>& box,
                       const Rational& squared_distance, bool by_definition,
-                      std::size_t max_violations) {
+                      std::size_t max_violations, bool has_structure) {
   Verdict verdict(Claim::kVoronoi, max_violations);
   verdict.points = diagram.sites.size();
   verdict.simplices = diagram.cells.size();
   verdict.dimension = diagram.sites.dimension();
   verdict.voronoi.emplace();
   const JudgedBox within = box ? *box : default_box(diagram.sites);
-  VoronoiJudge(diagram, within, by_definition, verdict).judge(squared_distance);
+  VoronoiJudge judge(diagram, within, by_definition, verdict);
+  judge.judge(squared_distance);
+  if (has_structure) judge.judge_vertices_and_ridges(squared_distance);
   return verdict;
 }
 
