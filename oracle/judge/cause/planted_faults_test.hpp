@@ -56,7 +56,9 @@ inline Mesh in_arrays(const Lists& lists) {
 
 inline std::vector<Cause> causes_of(const Lists& lists, Claim claim, const Options& options = {}) {
   const Mesh mesh = in_arrays(lists);
+  int times = 0;
   const auto judged = [&](const Mesh& one) -> std::optional<Verdict> {
+    ++times;
     auto verdict = judge(claim, one, nullptr, options);
     if (!verdict) return std::nullopt;
     return std::move(*verdict);
@@ -64,6 +66,7 @@ inline std::vector<Cause> causes_of(const Lists& lists, Claim claim, const Optio
   const auto verdict = judged(mesh);
   REQUIRE(verdict.has_value());
   std::vector<Cause> found = causes(*verdict, mesh, judged).found;
+  CHECK(times <= 2);  // at most one mended mesh is judged
   std::size_t all = 0, of_all = 0;
   for (const auto& [rule, tally] : verdict->tallies()) all += tally.count;
   for (const Cause& cause : found) {
