@@ -311,9 +311,8 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
     }
     compare_distances(soup, limit * limit);
     compare_searches(soup, limit * limit, seen);
-    const auto quick =
-        judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit, {},
-                     nullptr, nullptr, soup.markers);
+    const auto quick = judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain,
+                                    limit * limit, {}, nullptr, nullptr, soup.markers);
     const auto slow =
         judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit,
                      {.by = By::kDefinition}, nullptr, nullptr, soup.markers);
