@@ -170,7 +170,10 @@ Soup drawn_notch(Random& random) {
 Soup drawn_pages(Random& random) {
   PiecewiseLinearInput book;
   book.points = {{0, 0, 0}, {8, 0, 0}};
-  const std::vector<Point> directions = {{0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}};
+  // Seen along 0 1 from (4, -4), the first two are one behind the other.
+  std::vector<Point> directions = {{0, 1, 0}, {0, 2, 1}, {0, -1, 0}, {0, 0, -1}};
+  std::rotate(directions.begin(), directions.begin() + static_cast<long>(below(random, 4)),
+              directions.end());
   const std::size_t pages = 3 + below(random, 2);
   for (std::size_t page = 0; page < pages; ++page) {
     book.points.push_back(Point{4, 0, 0} + Rational(8) * directions[page]);
@@ -178,7 +181,8 @@ Soup drawn_pages(Random& random) {
   }
   std::vector<Point> points = book.points;
   const long near = 8;
-  const Point moved = {0, noise(random, near), noise(random, near)};
+  Point moved = {0, bits(4), bits(-4)};
+  if (below(random, 4) > 0) moved = {0, noise(random, near), noise(random, near)};
   for (std::size_t end : {0, 1}) points[end] = points[end] + moved;
   std::vector<Simplex> faces;
   for (std::size_t page = 0; page < pages; ++page) {
@@ -294,6 +298,16 @@ void compare_searches(const Soup& soup, const Rational& squared_limit,
   CHECK(text_of_images(quick.images) == text_of_images(slow.images));
 }
 
+// If there must be no Steiner points, each is named once.
+void check_forbidden(const Soup& soup, const Rational& squared_limit) {
+  const auto verdict = judge_within(Claim::kPlcTriangulation, soup.mesh, soup.domain, squared_limit,
+                                    {}, nullptr, nullptr, soup.markers);
+  if (!verdict || !verdict->within || !verdict->steiner_points) return;
+  const auto named = verdict->tallies().find(Rule::kSteinerForbidden);
+  CHECK((named == verdict->tallies().end() ? 0 : named->second.count) ==
+        verdict->steiner_points->count());
+}
+
 void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
   std::map<ReachAnswer::Kind, int> seen;
   int held = 0;
@@ -317,6 +331,7 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
         judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit,
                      {.by = By::kDefinition}, nullptr, nullptr, soup.markers);
     CHECK(said(quick) == said(slow));
+    check_forbidden(soup, limit * limit);
     held += quick && quick->holds() ? 1 : 0;
   }
   MESSAGE("dimension " << dimension << ": found " << seen[ReachAnswer::Kind::kFound] << " none "
