@@ -229,12 +229,15 @@ Soup drawn_corner(Random& random) {
   input.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}};
   input.polygons = {{{{0, 1, 2}}, {}}};
   std::vector<Point> points = input.points;
-  points.push_back({4, below(random, 2) == 0 ? Rational(0) : noise(random, 2), noise(random, 9)});
+  points.push_back({below(random, 2) == 0 ? Rational(0) : noise(random, 2), 4, noise(random, 9)});
   ExactMesh mesh{PointSet(points), {}};
-  mesh.faces = {{0, 1, 2}, {0, 1, 3}};
+  mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   if (below(random, 2) == 0) mesh.faces.push_back({1, 2, 3});
-  if (below(random, 2) == 0) mesh.faces.push_back({0, 2, 3});
-  return {std::move(mesh), domain_of(input)};
+  if (below(random, 2) == 0) mesh.faces.push_back({0, 1, 3});
+  Markers markers;
+  if (below(random, 2) == 0) markers.of_polygons = {1};
+  for (const Simplex& face : mesh.faces) markers.of_triangles[face] = 1;
+  return {std::move(mesh), domain_of(input), std::move(markers)};
 }
 
 Soup drawn_soup(Random& random, std::size_t dimension) {
@@ -315,7 +318,9 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
     CAPTURE(seed);
     Random random(seed);
     Soup soup = drawn_soup(random, dimension);
-    soup.markers = random_markers(soup.mesh, soup.domain.complex, random);
+    if (soup.markers.of_triangles.empty()) {
+      soup.markers = random_markers(soup.mesh, soup.domain.complex, random);
+    }
     const Rational limit = bits(static_cast<long>(below(random, 40)));
     const std::vector<bool> used(soup.mesh.points.size(), true);
     const Cells cells(soup.domain.complex);
