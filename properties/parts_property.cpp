@@ -284,6 +284,32 @@ TEST_CASE("four points nearly on one circle are told in parts as in the whole") 
   CHECK(seen.size() == 2);
 }
 
+// Their facets match, and each is convex: the sample point alone tells that one covers the other.
+TEST_CASE("a simplex within another one is covered twice, though each part has but one") {
+  for (const std::size_t d : {2, 3}) {
+    ArrayMesh mesh{.dimension = d};
+    for (const double size : {1.0, 100.0}) {
+      mesh.coordinates.insert(mesh.coordinates.end(), d, -size / 4);
+      for (std::size_t v = 0; v < d; ++v) {
+        for (std::size_t axis = 0; axis < d; ++axis) {
+          mesh.coordinates.push_back(axis == v ? size : -size / 4);
+        }
+      }
+    }
+    for (std::size_t v = 0; v < 2 * (d + 1); ++v) {
+      mesh.simplices.push_back(static_cast<std::int64_t>(v));
+    }
+    for (const Claim claim : {Claim::kTriangulation, Claim::kDelaunay}) {
+      const std::string whole = said_by_one(claim, mesh, {});
+      CHECK(whole.find("triangulation.covered-twice") != std::string::npos);
+      for (const std::size_t parts : {2, 4}) {
+        properties::Dice same(7);
+        CHECK(said_in_turns(claim, mesh, Way::kSlices, same, {}, parts) == whole);
+      }
+    }
+  }
+}
+
 TEST_CASE("a point beyond the hull is found in parts beside a submerged one, whichever is first") {
   for (const bool is_first : {false, true}) {
     ArrayMesh mesh = with_submerged_tie({1, 2});
