@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -187,82 +186,95 @@ TEST_CASE("slices: ranks read what was written, in two files or in some for each
   }
 }
 
-TEST_CASE("slices: one slip in the files of a part is an error that says what is wrong") {
-  const Whole whole = [] {
-    Dice dice(1);
-    return Whole(dice);
-  }();
-  const std::size_t d = whole.dimension, parts = 3;
-  const auto said = [&](const auto& slip) {
+// What all ranks say of the files of three parts once there is a slip in those of the second.
+class OneSlip {
+ public:
+  OneSlip() : OneSlip(Dice(1)) {}
+
+  std::size_t dimension() const { return whole_.dimension; }
+  std::int64_t count() const { return static_cast<std::int64_t>(whole_.count); }
+  std::size_t own_points() const { return second().indices.size(); }
+
+  template <class Slip>
+  std::string said(const Slip& slip) const {
     const SlicesInFolder folder;
     Dice dice(2);
-    std::vector<Part> dealt = whole.in_parts(dice, parts);
-    folder.write(dealt, d);
-    slip(folder, dealt[1]);
-    const Read read = read_in_turns(folder.files(), parts, whole);
+    folder.write(whole_.in_parts(dice, kParts), whole_.dimension);
+    slip(folder, second());
+    const Read read = read_in_turns(folder.files(), kParts, whole_);
     return read.faults.size() == 1 ? *read.faults.begin() : "no error, or several";
-  };
-  const auto changed = [&](const auto& change) {
+  }
+  template <class Change>
+  std::string changed(const Change& change) const {
     return said([&](const SlicesInFolder& folder, Part part) {
       change(part);
-      folder.write(1, part, d, d + 1);
+      folder.write(1, part, whole_.dimension, whole_.dimension + 1);
     });
-  };
-  const auto has = [](const std::string& text, const std::string& file, const std::string& words) {
-    CAPTURE(text);
-    CHECK(text.find(file + ": expected " + words) != std::string::npos);
-  };
+  }
+  // With one point more.
+  std::string with_point(std::int64_t index, double coordinate) const {
+    return changed([&](Part& part) {
+      part.points.insert(part.points.end(), whole_.dimension, coordinate);
+      part.indices.push_back(index);
+    });
+  }
+
+ private:
+  static constexpr std::size_t kParts = 3;
+
+  explicit OneSlip(Dice dice) : whole_(dice) {}
+  Part second() const {
+    Dice dice(2);
+    return whole_.in_parts(dice, kParts)[1];
+  }
+
+  Whole whole_;
+};
+
+void has(const std::string& text, const std::string& file, const std::string& words) {
+  CAPTURE(text);
+  CHECK(text.find(file + ": expected " + words) != std::string::npos);
+}
+
+TEST_CASE("slices: a wrong index in a part is an error that says which") {
+  const OneSlip one;
   for (const bool is_last : {false, true}) {
-    has(changed([&](Part& part) { part.simplices[1] = is_last ? std::ssize(part.indices) : -1; }),
+    has(one.changed(
+            [&](Part& part) { part.simplices[1] = is_last ? std::ssize(part.indices) : -1; }),
         "mesh-1.npy", "vertices from 0 to ");
-    has(changed([&](Part& part) { part.indices[1] = is_last ? std::int64_t{1} << 60 : -1; }),
+    has(one.changed([&](Part& part) { part.indices[1] = is_last ? std::int64_t{1} << 60 : -1; }),
         "indices-1.npy", "indices from 0 to 2^60 - 1, found ");
   }
-  has(changed([](Part& part) { part.indices.pop_back(); }), "indices-1.npy",
-      std::to_string(whole.in_parts(*std::make_unique<Dice>(2), parts)[1].indices.size()) +
-          " indices, one a point of ");
-  // The first vertex of the second part is a point of another part as well.
-  has(changed([&](Part& part) {
-        part.points.insert(part.points.end(), d, 0.125);
-        part.indices.push_back(0);
-      }),
-      "indices-%d.npy", "the same coordinates of a point in all parts, found others for the point");
-  has(changed([&](Part& part) {
-        part.points.insert(part.points.end(), d, 1);
-        part.indices.push_back(static_cast<std::int64_t>(whole.count) + 1);
-      }),
-      "indices-%d.npy",
-      "all indices from 0 to the largest, " + std::to_string(whole.count + 1) +
-          ", found no point of index " + std::to_string(whole.count));
-  has(changed([&](Part& part) {
-        part.points.insert(part.points.end(), d, 1);
-        part.indices.push_back(std::int64_t{1} << 59);
-      }),
-      "indices-%d.npy",
-      "all indices from 0 to the largest, " + std::to_string(std::int64_t{1} << 59) +
-          ", found fewer points");
-  has(said([&](const SlicesInFolder& folder, const Part& part) {
-        write_npy(folder.in("mesh-3.npy"), "<i8", part.simplices, d + 1);
-      }),
+  has(one.changed([](Part& part) { part.indices.pop_back(); }), "indices-1.npy",
+      std::to_string(one.own_points()) + " indices, one a point of ");
+  has(one.with_point(0, 0.125), "indices-%d.npy",
+      "the same coordinates of a point in all parts, found others for the point of index 0");
+  const std::string all = "all indices from 0 to the largest, ";
+  has(one.with_point(one.count() + 1, 1), "indices-%d.npy",
+      all + std::to_string(one.count() + 1) + ", found no point of index " +
+          std::to_string(one.count()));
+  has(one.with_point(std::int64_t{1} << 59, 1), "indices-%d.npy",
+      all + std::to_string(std::int64_t{1} << 59) + ", found fewer points");
+}
+
+TEST_CASE("slices: a file of other columns, and one too many, are errors") {
+  const OneSlip one;
+  const std::size_t d = one.dimension(), other = 5 - d;
+  const auto with_columns = [&](std::size_t of_points, std::size_t of_simplices) {
+    return one.said([&](const SlicesInFolder& folder, Part part) {
+      part.points.resize(part.indices.size() * of_points);
+      part.simplices.resize(of_simplices * (part.simplices.size() / of_simplices));
+      folder.write(1, part, of_points, of_simplices);
+    });
+  };
+  has(with_columns(d, d), "mesh-1.npy", "simplices of " + std::to_string(d + 1) + " vertices");
+  has(with_columns(4, 5), "points-1.npy", "points of dimension 2 or 3");
+  has(with_columns(other, other + 1), "points-%d.npy",
+      "points of one dimension in all parts, found several");
+  has(one.said([&](const SlicesInFolder& folder, const Part& part) {
+    write_npy(folder.in("mesh-3.npy"), "<i8", part.simplices, d + 1);
+  }),
       "mesh-3.npy", "no more parts than ranks, found one more");
-  has(said([&](const SlicesInFolder& folder, Part part) {
-        part.simplices.resize(d * (part.simplices.size() / d));
-        folder.write(1, part, d, d);
-      }),
-      "mesh-1.npy", "simplices of " + std::to_string(d + 1) + " vertices");
-  const std::size_t other = 5 - d;
-  has(said([&](const SlicesInFolder& folder, Part part) {
-        part.points.resize(part.indices.size() * other);
-        part.simplices.resize((other + 1) * (part.simplices.size() / (d + 1)), 0);
-        folder.write(1, part, other, other + 1);
-      }),
-      "points-%d.npy", "points of one dimension in all parts, found several");
-  has(said([&](const SlicesInFolder& folder, Part part) {
-        part.points.resize(part.indices.size() * 4);
-        part.simplices.resize(5 * (part.simplices.size() / 5));
-        folder.write(1, part, 4, 5);
-      }),
-      "points-1.npy", "points of dimension 2 or 3");
 }
 
 }  // namespace
