@@ -337,6 +337,12 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
                      {.by = By::kDefinition}, nullptr, nullptr, soup.markers);
     CHECK(said(quick) == said(slow));
     check_forbidden(soup, limit * limit);
+    const bool are_triangles = soup.mesh.simplices.empty() && dimension == 3 &&
+                               std::all_of(soup.mesh.faces.begin(), soup.mesh.faces.end(),
+                                           [](const Simplex& face) { return face.size() == 3; });
+    if (quick && quick->holds() && are_triangles) {
+      CHECK(quick->dangling == soup.mesh.faces.size());
+    }
     held += quick && quick->holds() ? 1 : 0;
   }
   MESSAGE("dimension " << dimension << ": found " << seen[ReachAnswer::Kind::kFound] << " none "
