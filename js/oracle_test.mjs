@@ -195,6 +195,20 @@ test('where a bundler left the compiled library behind, the error says where it 
   rmSync(bare, { recursive: true });
 });
 
+test('the registry shows links that can be followed, and whose package it is', () => {
+  const [, ...links] = readFileSync(join(folder, 'README.md'), 'utf8').split('](');
+  assert.ok(links.length > 0);
+  assert.deepEqual(links.filter((link) => !/^(https:|#)/.test(link)).map((link) => link.split(')')[0]), []);
+  const { homepage, repository, bugs, version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  assert.ok([homepage, repository.url.replace('git+', ''), bugs].every((address) => address.startsWith('https://')));
+  assert.ok(homepage.includes(`/v${version}/`));
+});
+
+test('where it was built is not in the compiled library', () => {
+  const here = resolve(dirname(fileURLToPath(import.meta.url)), '..');
+  assert.ok(!readFileSync(join(folder, 'circumspect.wasm')).includes(here), `expected no ${here}: remove the folder "build" of \`make web\``);
+});
+
 test('require() brings the same', () => {
   const required = createRequire(import.meta.url)(join(folder, 'index.cjs'));
   assert.equal(required.check(square, halves).text, oracle.check(square, halves).text);
