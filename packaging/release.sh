@@ -15,16 +15,19 @@ fail() {
   exit 1
 }
 
-# Packed beside the tree, with the licence; the dependencies are Debian's, as in rust/test.sh.
+# Packed beside the tree, with the licence, and with links that its page can follow; the
+# dependencies are Debian's, as in rust/test.sh.
 crate_of_rust() {
   local copy=build/rust/crate
   rm -rf "$copy" && mkdir -p "$copy/.cargo"
   cp -r rust/. LICENSE "$copy/"
+  sed -i "s|](\.\./|]($source/blob/v$version/|g" "$copy/README.md"
   printf '[source.crates-io]\nreplace-with = "debian"\n[source.debian]\ndirectory = "/usr/share/cargo/registry"\n' >"$copy/.cargo/config.toml"
   (cd "$copy" && CARGO_HOME=$root/build/rust/cargo CARGO_TARGET_DIR=$root/build/rust/target \
     /usr/bin/cargo package --quiet --no-verify --offline --allow-dirty)
 }
 
+source=$(sed -n 's/^Source = "\(.*\)"$/\1/p' pyproject.toml)
 version=$(sed -n 's/^project(circumspect VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 [ -z "$(git status --porcelain)" ] || fail "expected a committed tree, found changes: a release is made of a commit"
 grep -q "^## $version" CHANGELOG.md || fail "expected a heading '## $version' in CHANGELOG.md, found none"
@@ -46,9 +49,11 @@ for made in "build/dist/circumspect-$version-linux-*.tar.gz" "build/wheel/dist/c
   # shellcheck disable=SC2086  # the names, each a word
   cp $made "$folder/"
 done
-for made in build/ports/arm64/*; do
-  if [ -f "$made" ]; then cp "$made" "$folder/"; fi
-done
+if [ -d build/ports/arm64 ]; then
+  [ "$(cat build/ports/arm64/COMMIT 2>/dev/null)" = "$(git rev-parse --short=12 HEAD)" ] ||
+    fail "expected what was made for arm64 of this commit, found another's in build/ports/arm64: \`make ports\` makes it, or remove it"
+  cp build/ports/arm64/*.{deb,tar.gz} "$folder/"
+fi
 (cd "$folder" && sha256sum -- *.* >SHA256SUMS)
 packaging/fill.sh "$version" "$folder/circumspect-$version-source.tar.gz" "$folder/recipes"
 echo "$commit" >"$folder/COMMIT"
