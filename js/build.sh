@@ -20,4 +20,5 @@ cp "$folder/build/js/library.wasm" "$package/circumspect.wasm"
 "$root/cmake/licences.sh" page "$folder/licences"
 version=$(sed -n 's/^project(circumspect VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
 NODE_PATH="$folder/modules/node_modules" node "$here/pack.mjs" "$root" "$package" "$version" "$folder/licences"
+chmod -R u+rwX,go=rX "$package" # npm packs what a umask has left of the modes
 (cd "$folder" && npm pack --silent ./package)
