@@ -4,7 +4,7 @@
 # FOLDER gets the sources, the archives, the wheels, the packages for npm and Cargo and the Debian
 # packages, of arm64 too if `make ports` has made them, with SHA256SUMS, and the recipes. The same
 # commit makes the same bytes: where SHA256SUMS of an earlier run is there, whatever differs from it
-# is a failure.
+# is a failure, and FOLDER stays as it was.
 set -euo pipefail
 folder=${1:?usage: packaging/release.sh FOLDER}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -36,29 +36,29 @@ commit=$(git rev-parse HEAD)
 export SOURCE_DATE_EPOCH
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 
-mkdir -p "$folder"
-earlier=$(mktemp)
-trap 'rm -f "$earlier"' EXIT
-if [ "$(cat "$folder/COMMIT" 2>/dev/null)" = "$commit" ]; then cp "$folder/SHA256SUMS" "$earlier"; fi
-rm -rf "${folder:?}"/*
-git archive --format=tar --prefix="circumspect-$version/" HEAD | gzip -9n >"$folder/circumspect-$version-source.tar.gz"
+collected=$(mktemp -d)
+trap 'rm -rf "$collected"' EXIT
+git archive --format=tar --prefix="circumspect-$version/" HEAD | gzip -9n >"$collected/circumspect-$version-source.tar.gz"
 crate_of_rust
 for made in "build/dist/circumspect-$version-linux-*.tar.gz" "build/wheel/dist/circumspect-$version*.whl" "build/wheel/dist/circumspect-$version.tar.gz" \
             "build/web/circumspect-oracle-$version.tgz" "build/rust/target/package/circumspect-$version.crate" "build/deb/*_$version-1_*.deb"; do
   compgen -G "$made" >/dev/null || fail "expected $made, found none: \`make release\` builds all"
   # shellcheck disable=SC2086  # the names, each a word
-  cp $made "$folder/"
+  cp $made "$collected/"
 done
 if [ -d build/ports/arm64 ]; then
   [ "$(cat build/ports/arm64/COMMIT 2>/dev/null)" = "$(git rev-parse --short=12 HEAD)" ] ||
     fail "expected what was made for arm64 of this commit, found another's in build/ports/arm64: \`make ports\` makes it, or remove it"
-  cp build/ports/arm64/*.{deb,tar.gz} "$folder/"
+  cp build/ports/arm64/*.{deb,tar.gz} "$collected/"
 fi
-(cd "$folder" && sha256sum -- *.* >SHA256SUMS)
-packaging/fill.sh "$version" "$folder/circumspect-$version-source.tar.gz" "$folder/recipes"
-echo "$commit" >"$folder/COMMIT"
-cat "$folder/SHA256SUMS"
-if [ -s "$earlier" ]; then
-  diff "$earlier" "$folder/SHA256SUMS" || fail "expected the bytes of the earlier run of this commit, found others"
+(cd "$collected" && sha256sum -- *.* >SHA256SUMS)
+packaging/fill.sh "$version" "$collected/circumspect-$version-source.tar.gz" "$collected/recipes"
+echo "$commit" >"$collected/COMMIT"
+if [ "$(cat "$folder/COMMIT" 2>/dev/null)" = "$commit" ]; then
+  diff "$folder/SHA256SUMS" "$collected/SHA256SUMS" || fail "expected the bytes of the earlier run of this commit, found others"
   echo "the same bytes as the earlier run"
 fi
+mkdir -p "$folder"
+rm -rf "${folder:?}"/*
+cp -r "$collected"/. "$folder/"
+cat "$folder/SHA256SUMS"
