@@ -68,6 +68,7 @@ for python in "$@"; do
       *) fail "expected a wheel that needs the C library alone, found that it needs $library" ;;
     esac
   done
+  if grep -qF "$root/" "$extension" "$verified"; then fail "expected nothing of where the sources lie in $extension, found $root"; fi
   glibc=$({ readelf -V "$extension" "$verified" | grep -o 'GLIBC_2\.[0-9]*'; echo GLIBC_2.17; } | sort -uV | tail -n 1)
   glibc=${glibc#GLIBC_}
   grep -q "glibc $glibc or later" "$root/docs/python.md" ||
