@@ -89,6 +89,10 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
 
 test('an input at fault is an InputError; a fault of the mesh is a verdict', () => {
   assert.throws(() => oracle.check([...square, [0, 0]], [[0, 1, 2], [4, 2, 3]]), oracle.InputError);
+  // Advice is in the words of this package.
+  assert.throws(() => oracle.check([...square, [0, 0]], [[0, 1, 2], [4, 2, 3]]), /take equal points for one, give duplicates: 'merge'$/);
+  assert.throws(() => oracle.check([], [], { dimension: 2, vertices: 3 }), /judge an empty mesh, give allowEmpty: true$/);
+  assert.throws(() => oracle.check(square, halves, { exceptSharp: '60deg' }), /requirements beside `exceptSharp`/);
   const merged = oracle.check([...square, [0, 0]], [[0, 1, 2], [4, 2, 3]], { duplicates: 'merge' });
   assert.equal(merged.holds, true);
   assert.equal(merged.notes.length, 1);
