@@ -1,6 +1,7 @@
 // Every mutation of the catalogue on meshes of 10^5 points, made by CGAL: the fast judge vouches
 // for none, and `judge` names a rule that the catalogue expects, in the words of the exact
 // checkers, for one thread as for four.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
