@@ -145,6 +145,7 @@ def files():
     yield "sample-outside--periodic--again", certificate(SQUARE, ONE, [LOWER, UPPER, moved(LOWER, (1, 0)), UPPER], INSIDE, {**once, **again}), \
         "rejected: sample-outside, simplex 3"
     yield changed("sample-outside--periodic--reach", "rejected: sample-outside, simplex 1", "reach -3 -2 -1 0 1 2 3", "reach 1 2\n")
+    yield changed("sample-outside--periodic--reach-below", "rejected: sample-outside, simplex 1", "reach -3 -2 -1 0 1 2 3", "reach -3 -2 -1\n")
     yield changed("sample-outside--periodic--gap", "rejected: sample-outside, simplex 1", "reach -3 -2 -1 0 1 2 3", "reach -3 3\n")
     yield changed("sample-outside--periodic--nowhere", "rejected: sample-outside, simplex 1", "reach -3 -2 -1 0 1 2 3", "reach\n")
     yield "point-used--periodic", certificate(SQUARE, [*ONE, (3, 3)], [LOWER, UPPER], INSIDE), "rejected: point-used, point 2"
