@@ -21,6 +21,7 @@ constexpr Demand kDemands[] = {
     {"manifold", Claim::kComplex, [](check::Options& o) { o.complex.manifold = true; }},
     {"connected", Claim::kComplex, [](check::Options& o) { o.complex.connected = true; }},
     {"closed", Claim::kComplex, [](check::Options& o) { o.complex.closed = true; }},
+    {"faces", Claim::kComplex, [](check::Options& o) { o.complex.faces = true; }},
     {"oriented=positive", Claim::kComplex,
      [](check::Options& o) { o.complex.oriented = Orientations::kPositive; }},
     {"oriented=negative", Claim::kComplex,

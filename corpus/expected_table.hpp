@@ -49,6 +49,7 @@ inline Row row_of(const std::string& line) {
     if (word == "--manifold") row.options.complex.manifold = true;
     if (word == "--connected") row.options.complex.connected = true;
     if (word == "--closed") row.options.complex.closed = true;
+    if (word == "--faces") row.options.complex.faces = true;
     if (word == "hanging-vertex") row.options.complex.allow_hanging = true;
     if (word == "--allow-unused") row.options.complex.allow_unused = true;
     if (const auto required = read_requirement(word)) {
@@ -78,6 +79,7 @@ inline Mesh read_mesh_of(const Row& row) {
   formats::MeshRequest request;
   request.mesh = CIRCUMSPECT_CORPUS_DIR "/" + row.path;
   request.with_neighbors = row.with_neighbors;
+  request.with_faces = row.options.complex.faces;
   if (row.claim == Claim::kWeightedDelaunay) request.weights = formats::Weights::kDemanded;
   auto file = formats::read_mesh(request);
   if (!file) throw std::runtime_error(file.error().to_string());

@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 CORPUS = pathlib.Path(__file__).resolve().parent.parent / "corpus"
-OF_LISTS = ("--neighbors", "--oriented", "--require", "--manifold", "--connected", "--closed", "--allow", "--only-extreme",
+OF_LISTS = ("--neighbors", "--oriented", "--require", "--manifold", "--connected", "--closed", "--faces", "--allow", "--only-extreme",
             "--all-boundary-points")
 
 

@@ -10,6 +10,7 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/stray_faces.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/arguments/run.hpp"
@@ -170,8 +171,27 @@ ListedComplex drawn(Dice& dice, std::size_t d, std::size_t k) {
   return mesh;
 }
 
+// Faces of the simplices, some of which name another vertex: one that they have already, one that
+// is a point or one that is not.
+std::vector<Simplex> drawn_faces(Dice& dice, const ListedComplex& mesh) {
+  std::vector<Simplex> faces;
+  if (mesh.simplices.empty()) return faces;
+  const auto end = static_cast<Vertex>(mesh.points.size());
+  for (std::size_t count = 1 + dice.below(6); count > 0; --count) {
+    Simplex face = mesh.simplices[dice.below(mesh.simplices.size())];
+    while (face.size() > 1 && dice.below(2) == 0) {
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(dice.below(face.size())));
+    }
+    if (dice.below(4) == 0) face[dice.below(face.size())] = dice.within(Vertex{-1}, end);
+    std::rotate(face.begin(), face.begin() + 1, face.end());
+    faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
 ComplexDemands drawn_demands(Dice& dice) {
   ComplexDemands demands;
+  demands.faces = dice.below(2) == 0;
   demands.manifold = dice.below(2) == 0;
   demands.connected = dice.below(4) == 0;
   demands.closed = dice.below(4) == 0;
@@ -181,8 +201,9 @@ ComplexDemands drawn_demands(Dice& dice) {
   return demands;
 }
 
-Mesh in_arrays(const ListedComplex& listed) {
+Mesh in_arrays(const ListedComplex& listed, std::vector<Simplex> faces = {}) {
   Mesh mesh;
+  mesh.faces = std::move(faces);
   mesh.coordinates = numbers_of(listed.points, listed.points.front().size());
   mesh.simplices = IndexLists(listed.simplices);
   return mesh;
@@ -208,14 +229,15 @@ void compare(std::size_t d, std::size_t k, int inputs, Outcomes& seen) {
     Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
     const ListedComplex listed = drawn(dice, d, k);
     const ComplexDemands demands = drawn_demands(dice);
-    const Verdict by_lemma = check::judge_complex(listed, demands, false, 0);
-    const Verdict by_definition = check::judge_complex(listed, demands, true, 0);
-    const Mesh mesh = in_arrays(listed);
-    RC_ASSERT(text(by_lemma, mesh) == text(by_definition, mesh));
-    const Verdict of_arrays =
-        check::judge(Claim::kComplex, mesh, nullptr, {.complex = demands, .max_violations = 0})
-            .value();
+    const Mesh mesh = in_arrays(listed, drawn_faces(dice, listed));
+    check::Options options{.complex = demands, .max_violations = 0};
+    Verdict by_lemma = check::judge_complex(listed, demands, false, 0);
+    if (demands.faces) check::judge_listed_faces(mesh, check::By::kLemma, by_lemma);
+    const Verdict of_arrays = check::judge(Claim::kComplex, mesh, nullptr, options).value();
     RC_ASSERT(text(of_arrays, mesh) == text(by_lemma, mesh));
+    options.by = check::By::kDefinition;
+    const Verdict by_definition = check::judge(Claim::kComplex, mesh, nullptr, options).value();
+    RC_ASSERT(text(by_lemma, mesh) == text(by_definition, mesh));
     seen.held += by_lemma.holds() ? 1 : 0;
     seen.held_fast += of_arrays.course.fast ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
@@ -236,8 +258,8 @@ void check_all_kinds(int inputs_in_plane, int inputs_in_space) {
   for (const Rule rule :
        {Rule::kPointsEqual, Rule::kHangingVertex, Rule::kFacesCross, Rule::kOverlap,
         Rule::kNotManifold, Rule::kNotOriented, Rule::kNotClosed, Rule::kNotConnected,
-        Rule::kInverted, Rule::kOrientation, Rule::kDegenerateSimplex, Rule::kRepeatedVertex,
-        Rule::kDuplicateSimplex, Rule::kUnusedPoint}) {
+        Rule::kInverted, Rule::kOrientation, Rule::kStrayFace, Rule::kDegenerateSimplex,
+        Rule::kRepeatedVertex, Rule::kDuplicateSimplex, Rule::kUnusedPoint}) {
     CAPTURE(identifier(rule));
     CHECK(occurs(seen.broken[rule]));
   }

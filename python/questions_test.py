@@ -29,6 +29,22 @@ def test_demands_are_named_as_the_options_of_the_command():
         circumspect.check(SQUARE[:3], [[0, 1, 2]], demands=["closed"])
 
 
+def test_what_is_listed_beside_simplices_is_to_be_their_faces():
+    points, cells = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [[0, 1, 2, 3], [1, 2, 3, 4]]
+    assert circumspect.check(points, cells, "complex", faces=[[0, 1, 2], [4, 2, 3]])
+    verdict = circumspect.check(points, cells, "complex", faces=[[0, 1, 2], [4, 2, 0]])
+    assert verdict.rules == {"complex.stray-face": 1} and "index among the listed triangles: 1" in verdict.text
+    assert circumspect.check(points, cells, "complex", faces=[[0, 1], [0, 4]]).rules == {"complex.stray-face": 1}
+    with pytest.raises(circumspect.InputError, match="listed beside the simplices for --faces .*, found none"):
+        circumspect.check(points, cells, "complex", demands=["faces"])
+    with pytest.raises(circumspect.InputError, match="found none"):
+        circumspect.check(points, cells, "complex", faces=[])
+    with pytest.raises(ValueError, match="triangles or edges as faces, found faces of 4 vertices"):
+        circumspect.check(points, cells, "complex", faces=cells)
+    with pytest.raises(ValueError, match="the claim complex or a domain beside faces, found delaunay"):
+        circumspect.check(points, cells, faces=[[0, 1, 2]])
+
+
 def test_a_surface():
     points = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]]
     assert circumspect.check(points, [[0, 1, 2], [1, 0, 3]], "surface-delaunay").rules == {"surface.edge-not-delaunay": 1}

@@ -264,7 +264,7 @@ ExitCode run(CheckOptions& options) {
   Output output(options.output);
   output.watch("check");
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;
-  options.input.faces = options.domain.has_value();
+  options.input.faces = options.domain.has_value() || options.check.complex.faces;
   options.input.for_certificate = options.certificate.has_value();
   options.check.threads = thread_count(options.threads);
   options.pictures = std::make_shared<Pictures>(options.picture);

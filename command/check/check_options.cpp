@@ -117,6 +117,7 @@ std::string usage_fault(CheckOptions& options) {
   const Asked demanded{!options.check.quality.empty(), "--require"};
   const Asked within{options.within.has_value(), "--within"};
   const Asked labels{!options.input.kept_labels.empty(), "--keep-label"};
+  const Asked faces{options.complex.demands.faces, "--faces"};
   const Asked domain{options.domain.has_value(), "--domain FILE"};
   const std::string fault = first_fault({
       demands,
@@ -144,6 +145,7 @@ std::string usage_fault(CheckOptions& options) {
                  {within.is_given, "--within DISTANCE"},
                  "say how far vertices may be from one plane"),
       contradiction(neighbors, labels, "a .neigh file is about all cells"),
+      contradiction(faces, labels, "a listed face may belong to a cell that is left out"),
       first_fault(faults_beside_memory(options)),
       picture_fault(options.picture, options.meshes.size()),
   });

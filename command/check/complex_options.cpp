@@ -22,6 +22,7 @@ std::string of_complexes_alone(const ComplexOptions& options) {
            {demands.manifold, "--manifold"},
            {demands.connected, "--connected"},
            {demands.closed, "--closed"},
+           {demands.faces, "--faces"},
            {demands.allow_unused, "--allow-unused"},
            {!options.allowed.empty(), "--allow"},
            {options.oriented == "positive", "--oriented=positive"},
@@ -48,6 +49,10 @@ void add_complex_options(CLI::App& command, ComplexOptions& options) {
   command.add_flag("--closed", demands.closed,
                    "With the claim complex, of a surface or of edges: demand that no facet is in "
                    "one simplex only");
+  command.add_flag(
+      "--faces", demands.faces,
+      "With the claim complex: demand that the triangles and edges that the file lists "
+      "beside the simplices (of .ele the .face and the .edge file) are faces of them");
   command
       .add_option("--allow", options.allowed,
                   "With the claim complex: count hanging vertices, and let them pass")

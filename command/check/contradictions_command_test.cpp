@@ -88,6 +88,7 @@ TEST_CASE("check: a demand of one claim alone is refused beside every other") {
   for (const Words& demand : std::initializer_list<Words>{{"--manifold"},
                                                           {"--connected"},
                                                           {"--closed"},
+                                                          {"--faces"},
                                                           {"--allow-unused"},
                                                           {"--allow", "hanging-vertex"},
                                                           {"--oriented=positive"},

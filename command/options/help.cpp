@@ -35,10 +35,10 @@ struct Group {
 // An option means much the same wherever it is.
 const std::vector<Group>& groups() {
   static const std::vector<Group> all = {
-      {"Claim",
-       {"claim", "weighted", "oriented", "manifold", "connected", "closed", "allow", "allow-unused",
-        "all-boundary-points", "only-extreme", "box", "lattice", "require", "except-sharp",
-        "neighbors", "by", "against", "refusal-exit-code", "refusal-text"}},
+      {"Claim", {"claim",        "weighted", "oriented", "manifold",          "connected",
+                 "closed",       "faces",    "allow",    "allow-unused",      "all-boundary-points",
+                 "only-extreme", "box",      "lattice",  "require",           "except-sharp",
+                 "neighbors",    "by",       "against",  "refusal-exit-code", "refusal-text"}},
       {"Domain", {"domain", "fill", "hole", "region", "resolve", "merge-coplanar", "within"}},
       {"Input",
        {"points", "points-a", "points-b", "mesh", "stdin", "stdout", "worker", "worker-cases",

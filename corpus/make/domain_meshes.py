@@ -49,12 +49,7 @@ def write(entry):
     named(".poly").write_text(poly(entry.what, entry.points, entry.cells, entry.holes, dimension))
     files.write_node(named(".node"), entry.mesh_points, dimension, entry.base)
     files.write_ele(named(".ele"), entry.simplices, dimension + 1, entry.base)
-    for size, extension in ((3, ".face"), (2, ".edge")):
-        rows = [f for f in entry.listed if len(f) == size]
-        if rows:
-            lines = [f"{len(rows)} 0", *(" ".join(str(x) for x in (i, *(v + entry.base for v in f)))
-                                         for i, f in enumerate(rows, entry.base))]
-            named(extension).write_text("\n".join(lines) + "\n")
+    files.write_listed(stem, entry.listed, entry.base)
 
 
 # Shapes. A cube's vertices are numbered by bits: 1 for x, 2 for y, 4 for z.

@@ -15,6 +15,7 @@ class Entry:
     base: int = 1      # the first index
     form: str = "ele"  # ele (with .node), off, qhull (points, with the simplices in .qhull-i), json
     neighbors: list = None  # for a .neigh file: see neighbor_rows
+    listed: list = field(default_factory=list)  # triangles and edges beside the simplices: see write_listed
     weights: list = None   # the first attribute of the .node file, as tetgen -w reads it
     marks: int = 0     # boundary markers 0, 1, 2 ... in the .node file, to be skipped by readers
 
@@ -41,6 +42,15 @@ def write_ele(path, simplices, columns, base=1):
     lines = [f"{len(simplices)} {columns} 0"]
     lines += [" ".join(str(x) for x in (i + base, *(v + base for v in t))) for i, t in enumerate(simplices)]
     path.write_text("\n".join(lines) + "\n")
+
+
+def write_listed(stem, faces, base=1):
+    """Triangles for the .face file, edges for the .edge file."""
+    for size, extension in ((3, ".face"), (2, ".edge")):
+        rows = [f for f in faces if len(f) == size]
+        if rows:
+            lines = [f"{len(rows)} 0", *(" ".join(str(x) for x in (i, *(v + base for v in f))) for i, f in enumerate(rows, base))]
+            stem.with_name(stem.name + extension).write_text("\n".join(lines) + "\n")
 
 
 def neighbor_rows(simplices):
@@ -94,6 +104,7 @@ def write(entry, dimension=3):
     if entry.form == "ele":
         write_node(named(".node"), points, dimension, entry.base, entry.marks, entry.weights)
         write_ele(named(".ele"), simplices, columns, entry.base)
+        write_listed(stem, entry.listed, entry.base)
         if entry.neighbors:
             write_neigh(named(".neigh"), entry.neighbors, entry.base)
     elif entry.form == "off":

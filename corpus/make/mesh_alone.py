@@ -7,14 +7,14 @@ from point_sets import CUBE, OCTAHEDRON, grid
 from reject import TETRAHEDRON, cube_surface, reject
 
 
-def accept(name, what, points, simplices, claims=(("complex", "holds"),)):
-    return Entry(f"accept/{name}", what, points, simplices, list(claims))
+def accept(name, what, points, simplices, claims=(("complex", "holds"),), **more):
+    return Entry(f"accept/{name}", what, points, simplices, list(claims), **more)
 
 
-def alone(rule, what, points, simplices, *options):
+def alone(rule, what, points, simplices, *options, **more):
     """Breaks the rule as a mesh alone, if that is demanded; and holds if it is not."""
     claim = " ".join(["complex", *options])
-    return reject(rule, what, points, simplices, claims=[(claim, rule.split("--")[0])] + ([("complex", "holds")] if options else []))
+    return reject(rule, what, points, simplices, claims=[(claim, rule.split("--")[0])] + ([("complex", "holds")] if options else []), **more)
 
 
 def square_ring():
@@ -55,12 +55,21 @@ def accepted():
     yield accept("complex-hanging-vertex-2d", "a triangle refined beside one that is not, as programs do that refine without closure",
                  [(0, 0), (4, 0), (0, 4), (4, 4), (2, 2)], [(0, 1, 4), (0, 4, 2), (1, 3, 2)],
                  claims=[("complex --allow hanging-vertex", "holds")])
+    yield accept("complex-listed-faces", "a cube, its surface and the diagonal inside: all that is listed beside the tetrahedra is a face of some",
+                 CUBE, list(kuhn()), claims=[("complex --faces", "holds")], listed=[*cube_surface(), (0, 7)])
     yield accept("complex-nested-cubes", "a cube in the hole of a cube, apart from it", *nested())
 
 
 def outwards(surface):
     s = PointSet(CUBE + [(0.5, 0.5, 0.5)])
     return [t if s.orientation((*t, 8)) > 0 else (t[1], t[0], t[2]) for t in surface]
+
+
+def other_diagonal(surface):
+    """The square at z = 0 has the corners 0, 1, 3 and 2."""
+    rest = [t for t in surface if not {*t} <= {0, 1, 2, 3}]
+    assert len(rest) == len(surface) - 2 and any({0, 3} < {*t} < {0, 1, 2, 3} for t in surface)
+    return [*rest, (0, 1, 2), (1, 2, 3)]
 
 
 def nested():
@@ -106,6 +115,10 @@ def rejected():
     yield alone("complex.not-manifold--three-triangles", "three triangles at one edge, like pages of a book",
                 [(0, 0, 0), (0, 0, 4), (3, 0, 2), (-3, 1, 2), (0, -3, 2)], [(0, 1, 2), (0, 1, 3), (0, 1, 4)], "--manifold")
     yield alone("complex.not-closed", "the surface of a cube without one triangle", CUBE, surface[1:], "--closed")
+    yield alone("complex.stray-face", "the surface that is listed beside the tetrahedra of a cube cuts one of its squares along the other diagonal",
+                CUBE, list(kuhn()), "--faces", listed=other_diagonal(cube_surface()))
+    yield alone("complex.stray-face--2d", "the boundary that is listed beside the triangles leads straight past a vertex",
+                [(0, 0), (8, 0), (4, 3), (0, 6), (8, 6)], [(0, 1, 2), (0, 2, 3), (2, 4, 3)], "--faces", listed=[(0, 1), (1, 4), (4, 3), (3, 0)])
     yield alone("complex.not-connected", "two triangles that meet in a vertex only", [(0, 0), (4, 1), (4, -1), (-4, 1), (-4, -1)],
                 [(0, 1, 2), (0, 3, 4)], "--connected")
 

@@ -92,8 +92,8 @@ typedef struct circumspect_mesh {
   int64_t index_bytes;                  /* 4 (the default): int32_t; 8: int64_t */
   const void* simplices;                /* m·vertices_of_simplex indices of points, from 0 */
   const void* neighbors; /* NULL, or the simplex opposite each vertex, −1 for none */
-  /* For a mesh of a domain: triangles (in space) and edges that a program lists beside the
-   * simplices. */
+  /* For a mesh of a domain, and for the demand "faces" of "complex": triangles (in space) and edges
+   * that a program lists beside the simplices. */
   int64_t triangle_count;
   const int64_t* triangles;
   int64_t edge_count;

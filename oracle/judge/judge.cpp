@@ -16,6 +16,7 @@
 #include "oracle/judge/known_mesh.hpp"
 #include "oracle/judge/periodic/judge_periodic.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
+#include "oracle/judge/stray_faces.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -106,8 +107,8 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
   return verdict;
 }
 
-// What is equal breaks a rule of this claim, and is not an error.
-Verdict judged_as_complex(const Mesh& mesh, const Options& options) {
+// The simplices alone.
+Verdict simplices_as_complex(const Mesh& mesh, const Options& options) {
   const bool by_definition = options.by == By::kDefinition;
   if (!by_definition) {
     const auto found =
@@ -125,6 +126,13 @@ Verdict judged_as_complex(const Mesh& mesh, const Options& options) {
   }
   return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
                        by_definition, options.max_violations, improper_of_surface(mesh));
+}
+
+// What is equal breaks a rule of this claim, and is not an error.
+Verdict judged_as_complex(const Mesh& mesh, const Options& options) {
+  Verdict verdict = simplices_as_complex(mesh, options);
+  if (options.complex.faces) judge_listed_faces(mesh, options.by, verdict);
+  return verdict;
 }
 
 using VerdictOrEqualPoints = tl::expected<Verdict, EqualPoints>;

@@ -15,6 +15,7 @@ struct ComplexDemands {
   bool manifold = false;
   bool connected = false;  // through facets
   bool closed = false;     // no facet in exactly one simplex
+  bool faces = false;      // what is listed beside the simplices are faces of theirs
   Orientations oriented = Orientations::kAny;
   bool allow_hanging = false;  // hanging vertices are counted, and break no rule
   bool allow_unused = false;   // points without a simplex break no rule

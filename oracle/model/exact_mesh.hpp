@@ -60,7 +60,7 @@ struct ExactMesh {
   std::optional<Neighbors> neighbors = {};
   // Triangles and edges that a program lists beside the simplices (.face, .edge), each with fewer
   // vertices than a simplex. Those that are faces of no simplex with more vertices dangle; the
-  // others add nothing. Only claims about a domain use them.
+  // others add nothing. Only claims about a domain use them, and `complex` if they are to be faces.
   std::vector<Simplex> faces = {};
 
   std::vector<Simplex> simplices_and_faces() const {

@@ -141,6 +141,7 @@ struct ComplexFacts {
   std::size_t parts = 0;        // that facets connect
   std::size_t boundary_facets = 0;
   std::size_t hanging_vertices = 0;
+  std::size_t listed_faces = 0;  // beside the simplices, if they are demanded to be faces of these
   // How many quadrilaterals two simplices have on the one side and two on the other, which are cut
   // along different diagonals; and whether vertices hang only in simplices of other parts.
   std::size_t crossed_quadrilaterals = 0;

@@ -92,6 +92,7 @@ Json complex_facts(const ComplexFacts& facts) {
                  {"hanging_vertices", facts.hanging_vertices},
                  {"positive", facts.positive},
                  {"negative", facts.negative}};
+  if (facts.listed_faces > 0) object["listed_faces"] = facts.listed_faces;
   if (facts.are_counts_cut) object["counts_are_cut"] = true;
   return object;
 }

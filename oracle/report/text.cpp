@@ -159,6 +159,7 @@ std::string complex_text(const ComplexFacts& facts) {
   if (facts.hanging_vertices > 0) {
     text += " " + counted(facts.hanging_vertices, "hanging-vertex", "hanging-vertices");
   }
+  if (facts.listed_faces > 0) text += " " + counted(facts.listed_faces, "listed-face");
   return text;
 }
 

@@ -20,7 +20,7 @@ from ._core import InputError, NoTriangulation, Undecided
 from .domains import Domain, domain_of, in_plane_of
 from .hulls import claim_of, facets_of
 from .meshes import (guarded, merges, mesh_of, number_text, numbers_of, points_of, requirements_of, seconds_of,
-                     without_coordinate)
+                     with_faces, without_coordinate)
 from .periodic import periodic_of
 from .voronoi import diagram_of, parts_of as diagram_parts
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
@@ -56,7 +56,7 @@ def __dir__() -> List[str]:
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
           by: str = "lemma", oriented: bool = False, demands: Any = (), duplicates: str = "reject", allow_empty: bool = False,
-          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, drop: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
+          require: Any = (), except_sharp: Optional[str] = None, lattice: Any = None, offsets: Any = None, faces: Any = None, drop: Optional[str] = None, limit: Optional[float] = None, copy: bool = True,
           name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
@@ -79,7 +79,7 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
     demands: names of what else is demanded, as the command's options: "manifold", "connected", "closed",
-        "oriented=positive", "oriented=negative", "allow-hanging-vertex", "allow-unused" of "complex";
+        "oriented=positive", "oriented=negative", "faces", "allow-hanging-vertex", "allow-unused" of "complex";
         "all-boundary-points", "only-extreme" of "convex-hull".
     duplicates: "reject", since a mesher that forgets to share vertices makes equal points: InputError. "merge":
         equal points count as one, the first (if weights count, the heaviest), and a note of the verdict says so.
@@ -91,6 +91,9 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         one, of the boundary of the mesh) are set aside.
     lattice, offsets: for "periodic-delaunay". (d, d) doubles, the vectors along which the mesh repeats, or d numbers, the
         edges of a box; and (m, d+1, d) integers, which multiples of them move the point of each corner there.
+    faces: (f, 3) integers, triangles that are listed beside tetrahedra, or (f, 2), edges; instead of those of a mesh
+        object. "complex" then demands that they are faces of the simplices. Of a mesh of a domain they are the
+        triangles and edges that may dangle.
     drop: "x", "y" or "z": leaves out this coordinate of triangles or edges in space, so that a terrain is judged as it
         is seen from above ("z").
     limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
@@ -106,6 +109,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     >>> check([[0, 0], [1, 0], [0, float("nan")]], [[0, 1, 2]])
     Traceback (most recent call last):
     ValueError: expected finite points, found nan at (2, 1)
+    >>> check([[0, 0], [4, 0], [0, 4], [4, 4]], [[0, 1, 2], [1, 3, 2]], "complex", faces=[[0, 1], [0, 3]]).rules
+    {'complex.stray-face': 1}
     >>> print(check([[0, 0], [4, 0], [0, 4]], [[0, 1, 2]], require=["min-angle:45deg", "max-angle:90deg"]))
     holds: delaunay mesh 3 points 1 triangle unique canonical min-angle:45deg max-angle:90deg
     >>> check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2.0]])
@@ -119,6 +124,12 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     if claim == "convex-hull":
         points, simplices = facets_of(points, simplices)
     mesh = mesh_of(points, simplices, neighbors, weights)
+    words = demands if isinstance(demands, str) else " ".join(demands)
+    if faces is not None:
+        if claim != "complex" and domain is None:
+            raise ValueError(f"expected the claim complex or a domain beside faces, found {claim or 'delaunay'}")
+        mesh = with_faces(mesh, faces)
+        words += " faces" if claim == "complex" else ""
     if drop is not None:
         mesh = without_coordinate(mesh, drop)
     about = None
@@ -129,7 +140,6 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     elif within is not None:
         raise ValueError("expected a domain beside within, found None")
     repeated = periodic_of(claim, mesh, lattice, offsets)
-    words = demands if isinstance(demands, str) else " ".join(demands)
     distance = None if within is None else number_text(within, "a distance")
     return Verdict(_core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
                                by == "definition", oriented, merge, allow_empty, distance, words, name,

@@ -262,6 +262,17 @@ def with_cells(points: Any, cells: Optional[dict]):
     return points, of_size[most], None, listed.get(3), listed.get(2)
 
 
+def with_faces(mesh: Mesh, faces: Any) -> Mesh:
+    """The mesh with these triangles or edges beside its simplices, and no others."""
+    import numpy as np
+
+    rows = indices_of(faces, "faces").astype(np.int64)
+    if rows.shape[1] not in (2, 3) and rows.size:
+        raise ValueError(f"expected triangles or edges as faces, found faces of {rows.shape[1]} vertices")
+    return mesh._replace(triangles=rows if rows.shape[1] == 3 else None,
+                         edges=rows if rows.shape[1] == 2 else None)
+
+
 def without_coordinate(mesh: Mesh, axis: str) -> Mesh:
     """A surface or lines of space, as they are seen along an axis."""
     import numpy as np

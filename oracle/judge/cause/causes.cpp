@@ -42,6 +42,7 @@ const std::vector<Row>& rows() {
         Rule::kCoveredTwice, Rule::kFacetNotLocal, Rule::kVertexInBall},
        one_vertex},
       {{Rule::kOverlap}, parts_in_each_other},
+      {{Rule::kStrayFace}, faces_begin_elsewhere},
   };
   return kRows;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/cause/rows.hpp"
+#include "oracle/judge/stray_faces.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::check {
@@ -110,6 +111,23 @@ std::optional<Cause> indices_begin_elsewhere(Case& of) {
                                 : fmt::format("all name points, and {} violation{} left",
                                               mended->left, mended->left == 1 ? " is" : "s are")),
       mended->explains);
+}
+
+std::optional<Cause> faces_begin_elsewhere(Case& of) {
+  constexpr std::size_t kFewest = 4;  // fewer may be faces by chance
+  const Mesh& mesh = of.mesh();
+  const std::size_t listed = mesh.faces.size();
+  if (listed < kFewest) return std::nullopt;
+  for (const Vertex shift : {Vertex{-1}, Vertex{1}}) {
+    if (!are_faces_if_shifted(mesh, shift)) continue;
+    const Vertex first = mesh.label(0);
+    return of.cause("faces-begin-elsewhere",
+                    fmt::format("the indices of the listed faces seem to begin at {}, not at {}: "
+                                "so read, all {} are faces of simplices",
+                                first - shift, first, listed),
+                    of.count(Rule::kStrayFace));
+  }
+  return std::nullopt;
 }
 
 std::optional<Cause> last_column_is_a_label(Case& of) {

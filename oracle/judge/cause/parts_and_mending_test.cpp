@@ -32,6 +32,36 @@ TEST_CASE("causes: equal points and hanging vertices") {
   check_apart<3>(6);
 }
 
+// The causes of stray faces, of a grid beside which all facets are listed: all but the first
+// and the last few name vertices that come later by `shift`.
+template <std::size_t kDimension>
+std::vector<Cause> of_listed_facets(std::size_t few, Vertex shift) {
+  const Lists lists = grid<kDimension>(4);
+  Mesh mesh = in_arrays(lists);
+  mesh.faces = faces_of(lists.simplices, kDimension);
+  for (std::size_t i = few; i + few < mesh.faces.size(); ++i) {
+    for (Vertex& v : mesh.faces[i]) v += shift;
+  }
+  const auto judged = [](const Mesh& one) -> std::optional<Verdict> {
+    return judge(Claim::kComplex, one, nullptr, {.complex = {.faces = true}}).value();
+  };
+  return causes(*judged(mesh), mesh, judged).found;
+}
+
+TEST_CASE("causes: listed faces count from another number, or only some of them are stray") {
+  for (const Vertex shift : {Vertex{1}, Vertex{-1}}) {
+    for (const auto& found : {of_listed_facets<2>(0, shift), of_listed_facets<3>(0, shift)}) {
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].name == "faces-begin-elsewhere");
+      CHECK(found[0].explains == found[0].of);
+      CHECK(found[0].words.find("begin at " + std::to_string(shift) + ", not at 0") !=
+            std::string::npos);
+    }
+    CHECK(of_listed_facets<2>(2, shift).empty());
+    CHECK(of_listed_facets<3>(2, shift).empty());
+  }
+}
+
 // How much a cause explains, of how much.
 std::pair<std::size_t, std::size_t> explained(const Lists& lists, Claim claim,
                                               const std::string& name) {

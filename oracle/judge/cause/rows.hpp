@@ -22,6 +22,9 @@ std::optional<Cause> one_vertex(Case& of);
 std::optional<Cause> other_points(Case& of);
 std::optional<Cause> turned_simplices(Case& of);
 
+// What is listed beside the simplices is looked up among their faces again.
+std::optional<Cause> faces_begin_elsewhere(Case& of);
+
 // What the claim `complex` says of the mesh is asked.
 std::optional<Cause> equal_points_of_parts(Case& of);
 std::optional<Cause> hanging_vertices(Case& of);

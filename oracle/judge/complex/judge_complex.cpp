@@ -298,6 +298,10 @@ std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
   for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
     size = std::max(size, mesh.simplices[i].size());
   }
+  if (demands.faces && mesh.faces.empty()) {
+    return "expected triangles or edges listed beside the simplices for --faces (those of an .ele "
+           "file are in the .face and the .edge file), found none";
+  }
   return fault_of_demands(demands, size, mesh.dimension());
 }
 

@@ -19,6 +19,15 @@ Points at(const ListedComplex& listed, const Simplex& simplex) {
   return points;
 }
 
+// For each point the first that equals it.
+std::vector<Vertex> first_of_equals(const Points& points) {
+  std::vector<Vertex> first;
+  for (const Point& point : points) {
+    first.push_back(std::find(points.begin(), points.end(), point) - points.begin());
+  }
+  return first;
+}
+
 std::vector<Simplex> with_face(const std::vector<Simplex>& simplices, const Simplex& face) {
   std::vector<Simplex> found = simplices;
   std::erase_if(found, [&](const Simplex& simplex) { return !has_face(simplex, face); });
@@ -60,10 +69,8 @@ std::size_t parts_connected_by(const std::vector<Simplex>& simplices, std::size_
 
 SetApart set_apart(const ListedComplex& listed, std::size_t size) {
   SetApart apart;
-  std::vector<Vertex> first(listed.points.size());
+  const std::vector<Vertex> first = first_of_equals(listed.points);
   for (std::size_t v = 0; v < first.size(); ++v) {
-    const auto same = std::find(listed.points.begin(), listed.points.end(), listed.points[v]);
-    first[v] = same - listed.points.begin();
     const auto again = static_cast<Vertex>(v);
     if (first[v] != again) apart.equal_points.push_back({first[v], again});
   }
@@ -185,6 +192,27 @@ NotManifold not_manifold(const std::vector<Simplex>& simplices) {
     if (!is_connected || !has_one_circle) found.vertices.push_back(vertex.front());
   }
   return found;
+}
+
+std::vector<std::size_t> stray_faces(const ListedComplex& listed,
+                                     const std::vector<Simplex>& faces) {
+  const std::vector<Vertex> first = first_of_equals(listed.points);
+  const auto names_point = [&](Vertex v) { return v >= 0 && v < std::ssize(first); };
+  const auto merged = [&](std::vector<Simplex> simplices) {
+    for (Simplex& simplex : simplices) {
+      for (Vertex& v : simplex) v = names_point(v) ? first[static_cast<std::size_t>(v)] : v;
+    }
+    return simplices;
+  };
+  const std::vector<Simplex> simplices = merged(listed.simplices), own = merged(faces);
+  std::vector<std::size_t> stray;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Simplex& face = own[i];
+    const bool may_be_face = face.size() > 1 && !has_repeated_vertex(face) &&
+                             std::all_of(face.begin(), face.end(), names_point);
+    if (!may_be_face || with_face(simplices, face).empty()) stray.push_back(i);
+  }
+  return stray;
 }
 
 std::vector<int> orientation_signs(const std::vector<Point>& points,

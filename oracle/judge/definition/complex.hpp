@@ -79,6 +79,11 @@ NotManifold not_manifold(const std::vector<Simplex>& simplices);
 std::size_t parts(const std::vector<Simplex>& simplices);
 std::vector<Simplex> open_facets(const std::vector<Simplex>& simplices);
 
+// --faces: the places of the listed faces that no simplex of the list has, whatever else it is. A
+// face has two different vertices or more, all of which name points; equal points are one vertex.
+std::vector<std::size_t> stray_faces(const ListedComplex& listed,
+                                     const std::vector<Simplex>& faces);
+
 // --oriented: the sign of det[p_1 − p_0; …; p_d − p_0] of each simplex of full dimension.
 std::vector<int> orientation_signs(const std::vector<Point>& points,
                                    const std::vector<Simplex>& simplices);

@@ -172,6 +172,27 @@ CellList dangling_faces(const std::vector<Simplex>& faces, const EachCell& each_
   return dangling;
 }
 
+std::vector<std::size_t> stray_faces(const std::vector<Simplex>& faces, const EachCell& each_cell,
+                                     std::size_t points) {
+  std::vector<std::size_t> stray;
+  if (faces.empty()) return stray;
+  CellList listed;
+  for (const Simplex& face : faces) listed.add(face);
+  Faces known(listed, points);
+  each_cell([&known](Key cell) {
+    end_if_interrupted();
+    known.cover(cell);
+  });
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Key vertices = known.key(i);  // sorted
+    const bool may_be_face = vertices.size() > 1 && vertices.front() >= 0 &&
+                             vertices.back() < static_cast<Vertex>(points) &&
+                             !has_repeated_vertex(faces[i]);
+    if (!may_be_face || !known.is_covered(i)) stray.push_back(i);
+  }
+  return stray;
+}
+
 CellDifference difference_of_cells(const CellList& a, const CellList& b,
                                    const std::vector<Vertex>& place_in_b, std::size_t points_of_b) {
   CellDifference result;

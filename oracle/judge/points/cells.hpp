@@ -43,6 +43,11 @@ using EachCell = std::function<void(const std::function<void(std::span<const Ver
 CellList dangling_faces(const std::vector<Simplex>& faces, const EachCell& each_cell,
                         std::size_t points);
 
+// The places of the faces that are faces of no cell. A face of a cell has two different vertices or
+// more, all of which name points, and the cell has them all.
+std::vector<std::size_t> stray_faces(const std::vector<Simplex>& faces, const EachCell& each_cell,
+                                     std::size_t points);
+
 // The cells that one list has and the other lacks, each in its order.
 struct CellDifference {
   std::vector<Simplex> only_in_a = {};

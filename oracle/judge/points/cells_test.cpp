@@ -96,6 +96,15 @@ TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
             .size() == 0);
 }
 
+TEST_CASE("faces are stray if no cell has their different vertices, whatever else is listed") {
+  const auto one_cell = [](const auto& visit) { visit(Simplex{3, 1, 0, 9}); };
+  CHECK(stray_faces({{0, 3}, {1, 9}, {3, 1, 0}, {0, 1, 2}, {3, 3}, {1}, {0, 2}, {2, 0}}, one_cell,
+                    4) == std::vector<std::size_t>{1, 3, 4, 5, 6, 7});
+  CHECK(stray_faces({{0, 1}, {1, 0}}, one_cell, 4).empty());
+  const auto no_cell = [](const auto&) {};
+  CHECK(stray_faces({{0, 1}}, no_cell, 4) == std::vector<std::size_t>{0});
+}
+
 // Two meshes are the same complex, or the differences are named.
 
 // A unit square; `order` says which corner comes where.
