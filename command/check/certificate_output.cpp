@@ -245,6 +245,10 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
   if (verdict.tallies().contains(Rule::kPointsEqual)) {
     return is_written(path, mesh_name, mesh, certificate::equal_points_of(mesh, verdict), output);
   }
+  if (const auto certificate = certificate::certificate_of(mesh, verdict)) {
+    return is_written(
+        path, [&](std::ostream& out) { certificate::write(out, mesh, *certificate); }, output);
+  }
   const ExactMesh exactly = exact(mesh);
   if (mesh.copies) {
     return is_written(path, mesh_name, exactly,

@@ -243,9 +243,7 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
   }
   if (verdict.holds()) {
     Certificate certificate = certificate_of(mesh, verdict.claim(), std::move(*points));
-    certificate.standing = verdict.unique.value_or(false)      ? "unique"
-                           : verdict.canonical.value_or(false) ? "canonical"
-                                                               : "";
+    certificate.standing = standing_of(verdict);
     return certificate;
   }
   auto refutation = refutation_of(mesh, verdict, *points);
