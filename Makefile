@@ -21,7 +21,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
-.PHONY: build verified demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
+.PHONY: build verified demo build-demo docs page proofs check test test-style test-packages test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
         coverage bench format clean deb dist fresh-root ports windows wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
         deps-deb deps-bench deps-web
@@ -150,12 +150,12 @@ check: test-style
 	@python3 properties/generated_mutants.py --untried
 
 # The proofs are compiled before the C++ sources: side by side, four compilers take turns on two processors and get in each
-# other's way. The browser is installed beside the compilers, and the sanitizers' build and its tests run beside the release's
+# other's way. What else is missing is fetched beside them. The sanitizers' build and its tests run beside the release's
 # tests, which have times at which they keep one processor waiting.
 test:
-	@cmake/packages.sh build proofs test
-	@$(MAKE) --no-print-directory -j 2 test-style test-proofs
-	@$(MAKE) --no-print-directory -j 2 test-browser build-release
+	@cmake/packages.sh proofs
+	@$(MAKE) --no-print-directory -j 2 test-proofs test-packages
+	@$(MAKE) --no-print-directory build-release
 	@$(MAKE) --no-print-directory -j 2 test-release test-sanitize-beside
 	@python3 tidy/check.py build/release --green
 	@echo
@@ -168,6 +168,10 @@ test:
 	             END { print cases + 0 " cases, " checks + 0 " assertions" }' \
 	         build/$$preset/Testing/Temporary/LastTest.log)"; \
 	done
+
+test-packages:
+	@cmake/packages.sh build test browser
+	@$(MAKE) --no-print-directory test-style
 
 test-style:
 	@if command -v $(CLANG_FORMAT) >/dev/null; then $(SOURCES) | xargs -r -d '\n' $(CLANG_FORMAT) --dry-run -Werror || \
@@ -183,16 +187,13 @@ test-style:
 test-proofs: deps-proofs
 	@MAKEFLAGS= $(MAKE) --no-print-directory -C proofs -j $(JOBS) all holes filter-bounds mutants
 
-test-browser:
-	@cmake/packages.sh browser
-
 # What it prints would stand between the lines of the release's tests.
 test-sanitize-beside:
 	@echo "the sanitizers' build and its tests run beside: build/sanitize.log"
 	@$(MAKE) --no-print-directory RELEASE_IS_BUILT=1 test-sanitize >build/sanitize.log 2>&1 || \
 	  { tail -n 100 build/sanitize.log; echo "the sanitizers' build or tests failed; all of it: build/sanitize.log" >&2; exit 1; }
 
-# The browser may still be on its way; the sanitizers' build links the release's archives of what handles
+# The sanitizers' build links the release's archives of what handles
 # values alone. Clang compiles it in half the time when it does not optimize, which costs the tests less than that, and in a
 # sixth less without line numbers: a failure names functions, and `make soak-sanitize` their lines.
 SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=ON
@@ -220,7 +221,7 @@ soak-sanitize: deps-test
 soak: deps-test
 	@$(CONFIGURE) --preset release $(ALL_TESTS)
 	@cmake --build --preset release -j $(JOBS)
-	@properties/soak.sh build/release $(MINUTES)
+	@properties/soak.py build/release $(MINUTES)
 
 # Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
 # Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md): with CHANGED=1 of the

@@ -210,6 +210,9 @@ class Action(unittest.TestCase):
             named = re.findall(r"circumspect==([\w.]+)", (HERE.parent / file).read_text())
             self.assertEqual(named, [version], file)
         self.assertIn(f'\nversion = "{version}"\n', (HERE.parent / "rust" / "Cargo.toml").read_text())
+        for page in (HERE.parent / "docs").glob("*.md"):  # whose commands are those of any version
+            if page.name != "releasing.md":
+                self.assertIsNone(re.search(r"circumspect[a-z-]*[-_]\d+\.\d+\.\d", page.read_text(encoding="utf-8")), page)
 
     def test_the_action_passes_on_what_it_declares(self):
         action = (HERE.parent / "action.yml").read_text()

@@ -26,6 +26,8 @@ export CCACHE_DIR=${CCACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/ccache}
 # Debian's own programs and no others that stand before them, as another Python.
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym"
+# The copy is no repository, and `circumspect --version` says of which commit it is.
+export CIRCUMSPECT_COMMIT=${CIRCUMSPECT_COMMIT:-$(git -C "$root" describe --always --dirty=-modified --abbrev=12 --exclude='*' 2>/dev/null || true)}
 how=(--build=binary --no-sign --jobs="${JOBS:-$(nproc)}")
 if [ "$architecture" != "$(dpkg --print-architecture)" ]; then
   export DEB_BUILD_OPTIONS="$DEB_BUILD_OPTIONS nocheck"

@@ -43,6 +43,10 @@ for program in "${programs[@]}"; do
   if readelf -d "$work/$name/bin/$program" | grep -q NEEDED; then
     fail "$program: expected no shared library behind it; build the command with -DCIRCUMSPECT_STATIC=ON"
   fi
+  # Another folder makes the same bytes.
+  if grep -qF "$root/" "$work/$name/bin/$program"; then
+    fail "$program: expected nothing of where its sources lie, found $root; build it with -ffile-prefix-map=$root=."
+  fi
 done
 cp "$root/LICENSE" "$work/$name/"
 "$root/cmake/licences.sh" $contents "$work/$name/licences"

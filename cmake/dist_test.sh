@@ -11,13 +11,14 @@ trap 'rm -rf "$work"' EXIT
 
 echo 'int main(void) { return 0; }' | cc -static -x c -o "$work/verified" -
 
-# made_by FOLDER UMASK: builds and packs under this umask, and prints the archive's checksum.
+# made_by FOLDER UMASK [TEXT]: builds a command that has TEXT in it, packs it under this umask, and
+# prints the archive's checksum.
 made_by() {
   (
     umask "$2"
     build=$work/$1/build
     mkdir -p "$build/bin" "$build/share"
-    printf '#!/bin/sh\necho circumspect 1.2.3\n' >"$build/bin/circumspect"
+    printf '#!/bin/sh\necho circumspect 1.2.3\n# %s\n' "${3:-}" >"$build/bin/circumspect"
     chmod +x "$build/bin/circumspect"
     echo 'a page' >"$build/share/page"
     cat >"$build/cmake_install.cmake" <<END
@@ -34,5 +35,10 @@ sleep 1.1 # the next second, for gzip and tar
 second=$(made_by second 077)
 if [ "$first" != "$second" ]; then
   echo "cmake/dist_test.sh: expected the same archive twice, found $first and $second" >&2
+  exit 1
+fi
+# Nor does where the sources lie change it.
+if made_by third 022 "$(dirname "$here")/command/main.cpp" >"$work/third.sum" 2>&1 || ! grep -q "expected nothing of where" "$work/third/said"; then
+  echo "cmake/dist_test.sh: expected that a command with the folder of its sources in it is refused" >&2
   exit 1
 fi

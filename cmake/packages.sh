@@ -183,7 +183,7 @@ END
 tetgen                its own check is timed beside ours, on the meshes that it makes
 END
       ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, verified, docs, proofs, test, coverage, mutants, browser, web, wheel, rust, deb, ports, hunt or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, verified, docs, proofs, test, coverage, mutants, browser, web, wheel, rust, deb, ports, hunt, windows or bench" >&2; exit 2 ;;
   esac
 }
 

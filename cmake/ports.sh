@@ -13,6 +13,8 @@ mkdir -p "${1:?usage: cmake/ports.sh FOLDER}"
 folder=$(realpath "$1")
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mirror=${MIRROR:-http://deb.debian.org/debian}
+commit=$(git -C "$here" describe --always --abbrev=12 --exclude='*' --dirty=-modified 2>/dev/null || echo unknown)
+epoch=${SOURCE_DATE_EPOCH:-$(git -C "$here" log -1 --format=%ct 2>/dev/null || stat -c %Y "$here/CHANGELOG.md")}
 root=${ROOT:-$folder/trixie}
 log=$folder/ports.log
 : >"$log"
@@ -40,8 +42,9 @@ inside() {
   mkdir -p "$folder/ccache" "$root/ccache"
   unshare --mount --propagation private bash -c \
     'mount -t proc proc "$0/proc" && mount --bind "$1" "$0/ccache" && exec chroot "$0" env -i HOME=/root LANG=C.UTF-8 \
-     CCACHE_DIR=/ccache PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive JOBS="$3" bash -euc "$2"' \
-    "$root" "$folder/ccache" "cd /root/circumspect; $1" "${JOBS:-$(nproc)}"
+     CCACHE_DIR=/ccache PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive JOBS="$3" SOURCE_DATE_EPOCH="$4" \
+     CIRCUMSPECT_COMMIT="$5" bash -euc "$2"' \
+    "$root" "$folder/ccache" "cd /root/circumspect; $1" "${JOBS:-$(nproc)}" "$epoch" "$commit"
 }
 
 # Of a root that is kept, the build stays, and no source that has gone since.
@@ -70,7 +73,7 @@ END
 step "the archive for arm64" inside \
   'cmake -S . -B build/arm64 -G Ninja -DCMAKE_TOOLCHAIN_FILE=$PWD/build/arm64.cmake -DCMAKE_BUILD_TYPE=RelWithDebInfo \
      -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCMAKE_CXX_FLAGS=-ffile-prefix-map=$PWD=. \
-     -DCIRCUMSPECT_WRITES_PAGES=$PWD/build/release/bin/circumspect &&
+     -DCIRCUMSPECT_WRITES_PAGES=$PWD/build/release/bin/circumspect -DCIRCUMSPECT_COMMIT=$CIRCUMSPECT_COMMIT &&
    cmake --build build/arm64 --target circumspect_cli -j "$JOBS" &&
    EMULATOR=qemu-aarch64 cmake/dist.sh build/arm64 build/dist'
 step "no fused multiply-add where the filters' bounds forbid it" inside \
@@ -80,6 +83,7 @@ step "the Debian packages for arm64" inside \
 rm -rf "$folder/arm64"
 mkdir -p "$folder/arm64"
 cp "$root"/root/circumspect/build/dist/*-aarch64.tar.gz "$root"/root/circumspect/build/deb/*_arm64.deb "$folder/arm64/"
+echo "$commit" >"$folder/arm64/COMMIT"
 
 # What was made is asked, where it was unpacked and installed.
 inside 'rm -rf /root/arm64 && mkdir /root/arm64 && tar -C /root/arm64 --strip-components=1 -xzf build/dist/*-aarch64.tar.gz'

@@ -9,6 +9,7 @@
 #include "construct/delaunay.hpp"
 #include "kernel/exact/progress.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "oracle/model/mesh.hpp"
 #include "reference/constrained/edge_protection.hpp"
 
 namespace circumspect::construct {
@@ -40,8 +41,13 @@ class EdgeProtection {
   bool has_edge(const Simplex& segment) const;
   StarIndex stars_at(const std::vector<bool>& at) const;
   SegmentFacts facts_of(const StarIndex& stars, const Simplex& segment) const;
+  bool has_no_ties(const std::vector<Simplex>& star) const;
+  // Of a simplex of the triangulation: is the vertex on its circumsphere?
+  bool is_on_sphere(const Simplex& simplex, Vertex v) const;
 
   const PiecewiseLinearComplex& complex_;
+  // Doubles only if fast predicates may be asked about the points.
+  Numbers coordinates_ = Rows<Rational>();
   std::vector<Simplex> simplices_;
   bool is_unique_ = false;            // false also if that is not known
   std::vector<std::uint64_t> edges_;  // both ends in one number, ascending

@@ -38,6 +38,8 @@ cp "$packages"/*.deb "$bare/root/"
 rm -f "$bare"/root/*-dbgsym_*.deb
 quietly inside "apt-get install -q -y --no-install-recommends ./*.deb gcc g++ libc6-dev pkg-config man-db"
 judges circumspect "the command"
+quietly inside "circumspect --version"
+grep -q ", commit [0-9a-f]" "$work/log" || fail "expected the commit in: $(cat "$work/log")"
 quietly inside "man -w circumspect-check"
 quietly inside "test -f /usr/share/bash-completion/completions/circumspect -a -f /usr/share/zsh/vendor-completions/_circumspect"
 

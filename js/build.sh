@@ -16,9 +16,9 @@ package=$folder/package
 rm -rf "$package" && mkdir -p "$package"
 cp "$here"/*.mjs "$here"/*.d.ts "$package/"
 rm "$package"/*_test.mjs "$package"/{pack,times}.mjs
-cp "$root/docs/javascript.md" "$package/README.md"
 cp "$folder/build/js/library.wasm" "$package/circumspect.wasm"
 "$root/cmake/licences.sh" page "$folder/licences"
 version=$(sed -n 's/^project(circumspect VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
-NODE_PATH="$folder/modules/node_modules" node "$here/pack.mjs" "$here" "$package" "$version" "$folder/licences" "$root/LICENSE"
+NODE_PATH="$folder/modules/node_modules" node "$here/pack.mjs" "$root" "$package" "$version" "$folder/licences"
+chmod -R u+rwX,go=rX "$package" # npm packs what a umask has left of the modes
 (cd "$folder" && npm pack --silent ./package)

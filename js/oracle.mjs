@@ -10,6 +10,9 @@ export class NoneError extends Error { name = 'NoneError'; }
 export class UndecidedError extends Error { name = 'UndecidedError'; }
 
 const FAULTS = { 1: TypeError, 2: InputError, 3: NoneError, 4: UndecidedError, 5: RangeError };
+// What the C interface calls its own options, and what they are here.
+const inOurWords = (text) => text.replace('set merge_equal_points', "give duplicates: 'merge'")
+  .replace('set allow_empty', 'give allowEmpty: true').replace('except_sharp', 'exceptSharp');
 const KINDS = ['by-walls', 'enclosed', 'hull', 'even-odd', 'winding'];
 const OPTIONS = {
   check: ['claim', 'domain', 'within', 'weights', 'dimension', 'vertices', 'oriented', 'byDefinition', 'maxViolations', 'duplicates',
@@ -84,7 +87,7 @@ export function oracle(instantiate) {
   const demand = (one, status) => {
     if (status === 0) return;
     const Fault = FAULTS[status] ?? Error;
-    throw new Fault(one.string(library.last_error()));
+    throw new Fault(inOurWords(one.string(library.last_error())));
   };
   const result = (one, name, ...words) => {
     const slot = one.slot();

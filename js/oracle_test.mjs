@@ -89,6 +89,10 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
 
 test('an input at fault is an InputError; a fault of the mesh is a verdict', () => {
   assert.throws(() => oracle.check([...square, [0, 0]], [[0, 1, 2], [4, 2, 3]]), oracle.InputError);
+  // Advice is in the words of this package.
+  assert.throws(() => oracle.check([...square, [0, 0]], [[0, 1, 2], [4, 2, 3]]), /take equal points for one, give duplicates: 'merge'$/);
+  assert.throws(() => oracle.check([], [], { dimension: 2, vertices: 3 }), /judge an empty mesh, give allowEmpty: true$/);
+  assert.throws(() => oracle.check(square, halves, { exceptSharp: '60deg' }), /requirements beside `exceptSharp`/);
   const merged = oracle.check([...square, [0, 0]], [[0, 1, 2], [4, 2, 3]], { duplicates: 'merge' });
   assert.equal(merged.holds, true);
   assert.equal(merged.notes.length, 1);
@@ -193,6 +197,20 @@ test('where a bundler left the compiled library behind, the error says where it 
   for (const name of readdirSync(folder).filter((one) => one.endsWith('.mjs'))) copyFileSync(join(folder, name), join(bare, name));
   await assert.rejects(import(pathToFileURL(join(bare, 'index.mjs'))), /^Error: expected the compiled library as file:.*circumspect\.wasm, found none: /);
   rmSync(bare, { recursive: true });
+});
+
+test('the registry shows links that can be followed, and whose package it is', () => {
+  const [, ...links] = readFileSync(join(folder, 'README.md'), 'utf8').split('](');
+  assert.ok(links.length > 0);
+  assert.deepEqual(links.filter((link) => !/^(https:|#)/.test(link)).map((link) => link.split(')')[0]), []);
+  const { homepage, repository, bugs, version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  assert.ok([homepage, repository.url.replace('git+', ''), bugs].every((address) => address.startsWith('https://')));
+  assert.ok(homepage.includes(`/v${version}/`));
+});
+
+test('where it was built is not in the compiled library', () => {
+  const here = resolve(dirname(fileURLToPath(import.meta.url)), '..');
+  assert.ok(!readFileSync(join(folder, 'circumspect.wasm')).includes(here), `expected no ${here}: remove the folder "build" of \`make web\``);
 });
 
 test('require() brings the same', () => {

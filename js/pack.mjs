@@ -1,16 +1,22 @@
-// What the package has besides its sources: its version, its licences, and the modules for require().
-//   node pack.mjs SOURCES PACKAGE VERSION LICENCES LICENCE     esbuild is in NODE_PATH
+// What the package has besides its sources: where it comes from, its page, its licences, and the modules for require().
+//   node pack.mjs ROOT PACKAGE VERSION LICENCES     esbuild is in NODE_PATH
 import { createRequire } from 'node:module';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 
 const esbuild = createRequire(join(resolve(process.env.NODE_PATH.split(':')[0]), 'none.js'))('esbuild');
-const [sources, folder, version, licences, licence] = process.argv.slice(2);
+const [root, folder, version, licences] = process.argv.slice(2);
+const sources = join(root, 'js');
 const read = (...path) => readFileSync(join(...path), 'utf8');
 
-const described = JSON.parse(read(sources, 'package.json'));
-writeFileSync(join(folder, 'package.json'), `${JSON.stringify({ ...described, version }, null, 2)}\n`);
-const texts = [['Circumspect', read(licence)], ...readdirSync(licences).sort().map((name) => [name, read(licences, name)])];
+const [, home] = read(root, 'pyproject.toml').match(/^Source = "(\S+)"$/m);
+const described = { ...JSON.parse(read(sources, 'package.json')), version, homepage: `${home}/blob/v${version}/docs/javascript.md`,
+  repository: { type: 'git', url: `git+${home}.git`, directory: 'js' }, bugs: `${home}/issues` };
+writeFileSync(join(folder, 'package.json'), `${JSON.stringify(described, null, 2)}\n`);
+// As the registry shows it: links lead to the sources of this version, and what says which file an example is goes.
+writeFileSync(join(folder, 'README.md'), read(root, 'docs', 'javascript.md').replaceAll(/^<!-- file: .*\n/gm, '')
+  .replaceAll(/\]\((?!https?:|#)/g, `](${home}/blob/v${version}/docs/`));
+const texts = [['Circumspect', read(root, 'LICENSE')], ...readdirSync(licences).sort().map((name) => [name, read(licences, name)])];
 writeFileSync(join(folder, 'LICENSES.txt'), texts.map(([name, text]) =>
   `${'='.repeat(78)}\n${name}\n${'='.repeat(78)}\n${text.trim()}\n`).join('\n'));
 // One copy of the library for all of them: they ask #index, which is index.cjs for require().

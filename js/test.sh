@@ -15,6 +15,7 @@ fail() {
 packed=$(ls "$folder"/circumspect-oracle-*.tgz)
 size=$(stat -c %s "$packed")
 [ "$size" -le 2000000 ] || fail "expected a package of at most 2 MB, found $size bytes"
+if tar -tvzf "$packed" | grep -v '^-rw-r--r-- '; then fail "expected modes that depend on nobody's umask"; fi
 CIRCUMSPECT_PACKAGE=$folder/package node --test "$here/oracle_test.mjs"
 
 project=$(mktemp -d)

@@ -25,10 +25,13 @@ quietly() {
   "$@" >"$folder/log" 2>&1 || { tail -n 40 "$folder/log" >&2; fail "failed: $*"; }
 }
 
-# What setuptools leaves behind it leaves in a copy.
+# What setuptools leaves behind it leaves in a copy. A wheel has the modes of what it is made of:
+# these are nobody's own, and anybody may read what root installs.
+umask 022
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 tar -C "$root" --exclude=./build --exclude=./.git -c . | tar -C "$copy" -x
+chmod -R u+rwX,go=rX "$copy"
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || stat -c %Y "$root/CHANGELOG.md")}
 rm -rf "$folder/dist"
 mkdir -p "$folder/dist"
@@ -43,6 +46,8 @@ quietly /usr/bin/python3 -m build --sdist --no-isolation --outdir "$copy/made" "
 gmp=$folder/libraries/lib/libgmp.a gmpxx=$folder/libraries/lib/libgmpxx.a mpfr=$folder/libraries/lib/libmpfr.a
 archives=(-DCIRCUMSPECT_gmp_gmpxx="$gmpxx" -DCIRCUMSPECT_gmp_gmp="$gmp" -DCIRCUMSPECT_mpfr_mpfr="$mpfr"
           -DGMPXX_LIBRARIES="$gmpxx" -DGMP_LIBRARY_RELEASE="$gmp" -DGMP_LIBRARY_DEBUG="$gmp" -DMPFR_LIBRARIES="$mpfr")
+mkdir -p "$copy/build"
+install -m 755 "$verified" "$copy/build/circumspect-verified"
 for python in "$@"; do
   # The layers are the same for all; what the last Python left in the cache is not. Functions that
   # nobody calls are left out.
@@ -63,16 +68,20 @@ for python in "$@"; do
       *) fail "expected a wheel that needs the C library alone, found that it needs $library" ;;
     esac
   done
+  if grep -qF "$root/" "$extension" "$verified"; then fail "expected nothing of where the sources lie in $extension, found $root"; fi
   glibc=$({ readelf -V "$extension" "$verified" | grep -o 'GLIBC_2\.[0-9]*'; echo GLIBC_2.17; } | sort -uV | tail -n 1)
   glibc=${glibc#GLIBC_}
   grep -q "glibc $glibc or later" "$root/docs/python.md" ||
     fail "expected a wheel for the glibc that docs/python.md names, found that it needs $glibc"
-  CIRCUMSPECT_BUILD=$folder/build CIRCUMSPECT_VERIFIED=$verified \
+  CIRCUMSPECT_BUILD=$folder/build CIRCUMSPECT_VERIFIED=$copy/build/circumspect-verified \
     CIRCUMSPECT_PLATFORM=manylinux_${glibc/./_}_$(uname -m) \
     quietly "$python" -m build --wheel --no-isolation --outdir "$folder/dist" "$copy"
   echo "for $("$python" --version): needs $needed"
 done
 for wheel in "$folder"/dist/*.whl; do
+  private=$(/usr/bin/python3 -c 'import sys, zipfile
+print(*[file.filename for file in zipfile.ZipFile(sys.argv[1]).infolist() if file.external_attr >> 16 & 0o044 != 0o044])' "$wheel")
+  [ -z "$private" ] || fail "expected a wheel that anybody may read, found otherwise: $private"
   size=$(stat -c %s "$wheel")
   awk -v name="${wheel##*/}" -v size="$size" 'BEGIN { printf "%s: %.1f MB\n", name, size / 1e6 }'
   [ "$size" -le $LARGEST ] || fail "expected a wheel of at most $LARGEST bytes, found $size"

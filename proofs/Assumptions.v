@@ -12,6 +12,7 @@ Definition everything := (@verified, @verified_packed, @verified_not, @verified_
   @verified_mesh_alone, @verified_not_complex, @rules_of_complexes, @verified_hull,
   @verified_not_hull, @verified_flat,
   @verified_line, @verified_not_flat, @rules_of_flats, @verified_surface, @verified_not_surface,
+  @verified_periodic, @verified_not_periodic, @rules_of_periodic,
   @built_delaunay, @built_always,
   @verified_complete, @certificate_exists,
   @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical,

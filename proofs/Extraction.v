@@ -12,6 +12,7 @@ From Circumspect Require Import Quick ComplexChecker DomainRefutation WholeRefut
   ImpossibleChecker.
 From Circumspect Require Import MeshAlone AloneRefutation GiftWrapping HullChecker FlatChecker.
 From Circumspect Require Import SurfaceRefutation LineChecker FlatRefutation HullRefutation.
+From Circumspect Require Import PeriodicChecker.
 
 Extract Inductive positive => "int" [ "(fun n -> 2 * n + 1)" "(fun n -> 2 * n)" "1" ]
   "(fun more twice one n -> if n = 1 then one () else if n land 1 = 1 then more (n / 2) else twice (n / 2))".
@@ -72,4 +73,5 @@ Extraction "extracted.ml" judge refute rule_of rule_name claim_name
   check_domain check_dangling check_complex check_alone refute_alone complex_rule_of rule_of_complex_name
     domain_claim_name refute_domain domain_rule_of domain_rule_name
   refute_whole whole_rule_of check_impossible wrap judge_hull judge_flat check_surface
-  check_line refute_flat refute_hull refute_surface.
+  check_line refute_flat refute_hull refute_surface check_periodic refute_periodic
+  periodic_rule_name.

@@ -3,6 +3,7 @@ From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation.
 From Circumspect Require Import ImpossibleChecker MeshAlone AloneRefutation GiftWrapping Honest.
 From Circumspect Require Import FlatRefutation Definitions Domains DomainRules Complexes Flats.
+From Circumspect Require Import Periodic.
 From Circumspect Require Uniqueness Soundness RefutationSound DomainSound Solid ImpossibleSound.
 From Circumspect Require Completeness EveryTriangulation Separated MeshAloneSound AloneRefuted.
 From Circumspect Require BuiltDelaunay AnyOrder Judged SettlingSound ComplexSound DomainRefuted.
@@ -115,7 +116,7 @@ Proof.
   destruct (claimed c); [exact A|exact A|]. destruct A as ((w & W) & A). exists w. auto.
 Qed.
 
-(** ** Meshes alone, and gift-wrapping *)
+(** ** Meshes alone and those that a lattice repeats, and gift-wrapping *)
 
 Theorem mesh_alone_holds D c : check_alone D c = Accepted ->
   let S := points_of_certificate (dimension_of D) (bare_certificate c) in
@@ -136,6 +137,10 @@ Proof.
   apply andb_prop in A. destruct A as [A _].
   destruct (because (mesh_alone x)); try discriminate; listed.
 Qed.
+Theorem rules_of_periodic x : In (periodic_rule_name (periodic_because x))
+  ["simplex.degenerate"; "complex.duplicate-simplex"; "complex.not-closed";
+   "triangulation.covered-twice"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.
+Proof. destruct (periodic_because x); listed. Qed.
 Theorem wrapped D (r : R) (l : list site) L : 0 < r -> wrap D l = Some L ->
   let S : list (point (dimension_of D)) := caller_points r l in
   NoDup S /\ spans S /\ exists T, caller_rows r l (map (map Some) L) = map (map Some) T /\

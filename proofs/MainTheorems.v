@@ -1,8 +1,8 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
     Every notion is one of [Definitions.v]; of domains, of [Domains.v] and [DomainRules.v]; of a
-    mesh alone, of [Complexes.v]; of hulls, of points that do not span and of surfaces, of
-    [Hulls.v], [Flats.v] and [Surfaces.v].  [check], [refute], [check_domain] and so on are the
+    mesh alone, of [Complexes.v]; of hulls, of points that do not span, of surfaces and of meshes
+    that a lattice repeats, of [Hulls.v], [Flats.v], [Surfaces.v] and [Periodic.v].  [check], [refute], [check_domain] and so on are the
     functions that the program evaluates; how they decide ([checker/Checker.v],
     [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.  The proofs are
     elsewhere.  The theorems of the book stand in [BookTheorems.v].
@@ -35,10 +35,11 @@ From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
 From Circumspect Require Import HullChecker FlatChecker LineChecker FlatRefutation.
-From Circumspect Require Import HullRefutation SurfaceRefutation GiftWrapping Honest.
-From Circumspect Require Import Definitions Domains DomainRules Complexes Hulls Flats Surfaces.
+From Circumspect Require Import HullRefutation SurfaceRefutation PeriodicChecker GiftWrapping.
+From Circumspect Require Import Honest Definitions Domains DomainRules Complexes Hulls Flats.
+From Circumspect Require Import Surfaces Periodic.
 From Circumspect Require MainProofs DanglingSound HullSound FlatSound LineSound FlatRefuted.
-From Circumspect Require HullRefuted SurfaceSound SurfaceRefuted.
+From Circumspect Require HullRefuted SurfaceSound SurfaceRefuted PeriodicSound PeriodicRefuted.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -295,6 +296,26 @@ Theorem verified_not_surface D x : refute_surface D x = true ->
   edge_not_delaunay (refuted_simplices D (surface_mesh x)) /\
   ~ claims_surface (refuted_points D (surface_mesh x)) (refuted_simplices D (surface_mesh x)).
 Proof. apply SurfaceRefuted.refute_surface_rule. Qed.
+
+(** ** Meshes that a lattice repeats *)
+
+(** An accepted certificate of the claim [periodic-delaunay]: moved by all of the lattice, the cells
+    are a Delaunay triangulation of the points. *)
+Theorem verified_periodic D c : check_periodic D c = Accepted ->
+  let d := dimension_of D in let m := periodic_mesh_of c in
+  periodic_delaunay (lattice_of d m) (periodic_points d m) (periodic_cells d m).
+Proof. apply PeriodicSound.check_periodic_sound. Qed.
+(** An accepted refutation of it: they are not, because the rule that is printed is broken. *)
+Theorem verified_not_periodic D x : refute_periodic D x = true ->
+  let d := dimension_of D in let m := periodic_against x in
+  broken_in_periodic (periodic_because x) (lattice_of d m) (periodic_points d m)
+    (periodic_cells d m) /\
+  ~ periodic_delaunay (lattice_of d m) (periodic_points d m) (periodic_cells d m).
+Proof. apply PeriodicRefuted.refute_periodic_rule. Qed.
+Theorem rules_of_periodic x : In (periodic_rule_name (periodic_because x))
+  ["simplex.degenerate"; "complex.duplicate-simplex"; "complex.not-closed";
+   "triangulation.covered-twice"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.
+Proof. apply MainProofs.rules_of_periodic. Qed.
 
 (** ** A construction *)
 

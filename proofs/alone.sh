@@ -1,6 +1,7 @@
 #!/bin/bash
 # Certifies the meshes of corpus that are judged as complexes, and those that are convex hulls or
-# Delaunay surfaces, and has circumspect-verified read what proves the verdict:
+# Delaunay surfaces or that a lattice repeats, and has circumspect-verified read what proves the
+# verdict:
 #   proofs/alone.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
 set -euo pipefail
 circumspect=$(realpath "$1")
@@ -34,5 +35,20 @@ while IFS=$'\t' read -r mesh claim verdict; do
   if [ "$claim" = surface-delaunay ]; then surfaces=$((surfaces + 1))
   elif [ "$verdict" = holds ]; then accepted=$((accepted + 1)); else refuted=$((refuted + 1)); fi
 done <expected.tsv
-echo "$accepted certificates and $refuted refutations of meshes alone verified, $hulls of hulls and $surfaces of surfaces"
-[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 10 ] && [ "$surfaces" -ge 5 ]
+periodic=0
+while IFS=$'\t' read -r mesh options verdict _; do
+  code=0
+  # The options are several words.
+  # shellcheck disable=SC2086
+  "$circumspect" certify "periodic/$mesh" --claim periodic-delaunay $options --quiet -o "$scratch/certificate" || code=$?
+  expected="verified: not periodic-delaunay, *"
+  if [ "$verdict" = holds ]; then expected="verified: periodic-delaunay, *"; fi
+  found=$("$verified" "$scratch/certificate" "periodic/${mesh%.ele}.node" "periodic/$mesh") || true
+  if [ "$code" -ne "$([ "$verdict" = holds ]; echo $?)" ] || [[ "$found" != $expected ]]; then
+    echo "$mesh: expected '$expected', found '$found', and exit code $code of certify" >&2
+    exit 1
+  fi
+  periodic=$((periodic + 1))
+done < <(grep -v '^#' periodic/expected.tsv)
+echo "$accepted certificates and $refuted refutations of meshes alone verified, $hulls of hulls, $surfaces of surfaces, $periodic that a lattice repeats"
+[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 10 ] && [ "$surfaces" -ge 5 ] && [ "$periodic" -ge 11 ]

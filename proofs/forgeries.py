@@ -21,6 +21,7 @@ import collections
 import functools
 import itertools
 import json
+import os
 import pathlib
 import random
 import re
@@ -28,6 +29,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from fractions import Fraction
 
 import rebuilding
@@ -392,6 +394,9 @@ def main():
         parser.add_argument(f"--{name}", type=int, default=default)
     asked = parser.parse_args()
     programs = Programs(str(pathlib.Path(asked.circumspect).resolve()), str(pathlib.Path(asked.verified).resolve()))
+    if "CIRCUMSPECT_SOAK" in os.environ:  # others each time (properties/soak.py)
+        asked.seed += int(re.search("seed=([0-9]+)", os.environ["RC_PARAMS"])[1]) % 10**12
+    ends = time.monotonic() + float(os.environ.get("CIRCUMSPECT_SECONDS", "inf"))
     dice = random.Random(asked.seed)
     counts, others = collections.Counter(), []
     makers = {kind: functools.partial(certified, programs, kind) for kind in CLAIMS}
@@ -402,6 +407,9 @@ def main():
     dice.shuffle(work)
     with tempfile.TemporaryDirectory() as scratch:
         for number, kind in enumerate(work):
+            if time.monotonic() > ends:
+                break
+            counts["inputs"] += 1
             folder = pathlib.Path(scratch) / str(number)
             folder.mkdir()
             programs.truths.clear()
@@ -417,6 +425,7 @@ def main():
                 print(f"{kind} {number} of seed {asked.seed}, kept in {KEPT}: {wrong}", file=sys.stderr)
                 return 1
             shutil.rmtree(folder)
+    print(f"inputs: {counts.pop('inputs')} of {len(work)}")
     for what, count in sorted(counts.items()):
         print(f"{what}: {count}")
     return 0

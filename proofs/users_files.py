@@ -4,7 +4,8 @@
     proofs/users_files.py CIRCUMSPECT CIRCUMSPECT_VERIFIED
 
 Drawn point sets are meshed and certified. Beside files that spell the same numbers in another way, the certificate is verified.
-It is not where a number is another one, a row is missing or added, or a header announces one row too many or too few.
+It is not where a number is another one, a row is missing or added, or a header announces one row too many or too few; nor
+where decimals are taken at their word and the certificate took them for doubles, or the other way round.
 """
 import collections
 import pathlib
@@ -97,6 +98,46 @@ def hold(programs, folder, family, claim, dimension):
     return tried
 
 
+def hold_decimals(programs, folder):
+    """Decimals taken at their word are other numbers than the doubles nearest to them. How many pairs of files were tried."""
+    circumspect, verified = programs
+    node, ele = folder / "decimal.node", folder / "decimal.ele"
+    points = ["0.1 0.3", "-0.1 2.7e0", "12.5E-1 -.7", "-35e-1 -0.05", "+0.6 110e-2", "-120e-2 -2.30"]
+    rows = [[str(index), *row.split()] for index, row in enumerate(points)]
+    own = "".join(" ".join(row) + "\n" for row in [[str(len(rows)), "2", "0", "0"], *rows])
+    node.write_text(own)
+    subprocess.run([circumspect, "build", "delaunay", node, "-o", folder / "built.ele", "--quiet"], check=True)
+    ele.write_text((folder / "built.ele").read_text())
+    readings = ([], ["--coordinates", "decimal"])
+    certificates = [folder / "of-doubles", folder / "of-decimals"]
+    for reading, certificate in zip(readings, certificates):
+        node.write_text(own)
+        subprocess.run([circumspect, "certify", ele, "--claim", "triangulation", *reading, "--quiet", "-o", certificate], check=True)
+
+    def is_verified(reading, certificate):
+        run = subprocess.run([verified, certificate, *reading, node, ele], capture_output=True, text=True, check=False)
+        assert run.stdout, f"expected an answer about\n{node.read_text()}"
+        return run.stdout.startswith("verified: triangulation")
+
+    tried = 0
+    for reading in readings:
+        for certificate in certificates:
+            fits = (reading == readings[1]) == (certificate == certificates[1])
+            assert is_verified(reading, certificate) == fits, f"{certificate.name} {reading}: expected {fits}"
+            tried += 1
+    for reading, certificate in zip(readings, certificates):
+        for row in rows:
+            for column in (1, 2):
+                word = row[column]
+                for other in (word[1:] if word[0] == "-" else "-" + word.lstrip("+"), word + "1", word[:-1] + str(9 - int(word[-1]))):
+                    row[column] = other
+                    node.write_text("".join(" ".join(one) + "\n" for one in [[str(len(rows)), "2", "0", "0"], *rows]))
+                    assert not is_verified(reading, certificate), f"{other} for {word}, {reading}: expected a refusal"
+                    tried += 1
+                row[column] = word
+    return tried
+
+
 # Meshes of corpus/domains beside their domains, and claims that hold.
 DOMAINS = [("accept/plane-ring", "accept/plane-ring", "cdt"), ("accept/cube-square-in-two", "accept/cube-square-in-two", "cdt"),
            ("accept/hollow-cube", "accept/hollow-cube", "cdt"), ("tetgen/tunnel.1", "tunnel", "steiner-cdt")]  # the last has polygons with holes
@@ -169,7 +210,7 @@ def main():
     programs = [pathlib.Path(name).resolve() for name in sys.argv[1:3]]
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        tried = sum(hold(programs, folder, *one) for one in SETS) + hold_domains(programs, folder)
+        tried = sum(hold(programs, folder, *one) for one in SETS) + hold_decimals(programs, folder) + hold_domains(programs, folder)
     print(f"{tried} pairs of files: a certificate is verified beside the user's own alone")
 
 

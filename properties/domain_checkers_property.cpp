@@ -46,6 +46,15 @@ std::map<Rule, std::size_t> wrong_alone(const Verdict& verdict) {
   return counts;
 }
 
+// The vertices that are not the domain's, and how many of them are in cells of each dimension.
+std::vector<std::size_t> beyond_domain(const Verdict& verdict) {
+  const auto& [count, first] = *verdict.extra_vertices;
+  const auto& [on_segments, in_polygons, in_polyhedra] = *verdict.steiner_points;
+  std::vector<std::size_t> all = {count, on_segments, in_polygons, in_polyhedra};
+  for (const Vertex v : first) all.push_back(static_cast<std::size_t>(v));
+  return all;
+}
+
 // The common answers of both ways.
 std::map<Claim, bool> judged(const ExactMesh& mesh, const PiecewiseLinearComplex& complex) {
   const Domain domain{complex};
@@ -63,6 +72,7 @@ std::map<Claim, bool> judged(const ExactMesh& mesh, const PiecewiseLinearComplex
     if (by_lemma && by_definition) {
       RC_ASSERT(quick.dangling == defined.dangling);
       RC_ASSERT(verdict.dangling == defined.dangling);
+      RC_ASSERT(beyond_domain(verdict) == beyond_domain(defined));
     }
     RC_LOG() << name(claim) << " by lemma: " << by_lemma << ", by definition: " << by_definition
              << "\n";

@@ -3,6 +3,7 @@
 // lie in planes of facets, weighted points are submerged or about to emerge, and there are more
 // parts than simplices. ranks_property.cpp tries the catalogue of mutations, and ranks of MPI.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -254,6 +255,57 @@ TEST_CASE("a submerged point in a witness plane is a tie in parts as in the whol
     for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAllToOne, Way::kSomeToNone}) {
       properties::Dice dice(7);
       CHECK(said_in_turns(Claim::kWeightedDelaunay, mesh, way, dice, {}, 4) == whole);
+    }
+  }
+}
+
+// Doubles decide nothing where one part has coarse coordinates, another one none, and the facet
+// between them is locally Delaunay or not by the last bits.
+TEST_CASE("four points nearly on one circle are told in parts as in the whole") {
+  std::set<std::string> seen;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    CAPTURE(seed);
+    properties::Dice dice(seed);
+    ArrayMesh mesh{.dimension = 2};
+    mesh.coordinates = {3, 4, -4, 3, -3, -4};
+    const double angle = 0.1 * static_cast<double>(1 + dice.below(14)) - 0.9;
+    mesh.coordinates.push_back(5 * std::cos(angle));
+    mesh.coordinates.push_back(5 * std::sin(angle));
+    const bool is_other = dice.below(2) == 0;
+    mesh.simplices = is_other ? std::vector<std::int64_t>{0, 1, 3, 1, 2, 3}
+                              : std::vector<std::int64_t>{0, 1, 2, 0, 2, 3};
+    const std::string whole = said_by_one(Claim::kDelaunay, mesh, {});
+    seen.insert(whole.substr(0, 5));
+    for (const std::size_t parts : {2, 3}) {
+      properties::Dice same(7);
+      CHECK(said_in_turns(Claim::kDelaunay, mesh, Way::kSlices, same, {}, parts) == whole);
+    }
+  }
+  CHECK(seen.size() == 2);
+}
+
+// Their facets match, and each is convex: the sample point alone tells that one covers the other.
+TEST_CASE("a simplex within another one is covered twice, though each part has but one") {
+  for (const std::size_t d : {2, 3}) {
+    ArrayMesh mesh{.dimension = d};
+    for (const double size : {1.0, 100.0}) {
+      mesh.coordinates.insert(mesh.coordinates.end(), d, -size / 4);
+      for (std::size_t v = 0; v < d; ++v) {
+        for (std::size_t axis = 0; axis < d; ++axis) {
+          mesh.coordinates.push_back(axis == v ? size : -size / 4);
+        }
+      }
+    }
+    for (std::size_t v = 0; v < 2 * (d + 1); ++v) {
+      mesh.simplices.push_back(static_cast<std::int64_t>(v));
+    }
+    for (const Claim claim : {Claim::kTriangulation, Claim::kDelaunay}) {
+      const std::string whole = said_by_one(claim, mesh, {});
+      CHECK(whole.find("triangulation.covered-twice") != std::string::npos);
+      for (const std::size_t parts : {2, 4}) {
+        properties::Dice same(7);
+        CHECK(said_in_turns(claim, mesh, Way::kSlices, same, {}, parts) == whole);
+      }
     }
   }
 }

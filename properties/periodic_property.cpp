@@ -280,6 +280,43 @@ TEST_CASE("periodic-delaunay: by lemma and by definition it holds of the same me
   }
 }
 
+std::set<Rule> broken_by_definition(const std::vector<Point>& points,
+                                    const std::vector<Simplex>& cells, const Periodic& how) {
+  Mesh listed;
+  listed.coordinates = numbers_of(points, 2);
+  listed.simplices = IndexLists(cells);
+  std::set<Rule> broken;
+  const Verdict verdict =
+      check::judge_periodic(check::unfolded(listed, how), {.by = check::By::kDefinition});
+  for (const auto& [rule, tally] : verdict.tallies()) broken.insert(rule);
+  return broken;
+}
+
+TEST_CASE("periodic-delaunay: a triangle fits beside its copies iff its area is half a cell's") {
+  for (Vertex ax = -2; ax <= 2; ++ax) {
+    for (Vertex ay = -2; ay <= 2; ++ay) {
+      for (Vertex bx = -2; bx <= 2; ++bx) {
+        for (Vertex by = -2; by <= 2; ++by) {
+          const Vertex area = std::abs(ax * by - ay * bx);
+          if (area == 0) continue;
+          const Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, ax, ay, bx, by}}};
+          CHECK(broken_by_definition({{0, 0}}, {{0, 0, 0}}, how) ==
+                std::set{area == 1 ? Rule::kNotClosed : Rule::kOverlap});
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("periodic-delaunay: balls are looked at once every point is a vertex") {
+  const Periodic how{.lattice = {{1, 0}, {0, 1}},
+                     .offsets = {{0, 0, 1, 0, 1, 1}, {0, 0, 0, 1, 1, 1}}};
+  const std::vector<Simplex> cells(2, {0, 0, 0});
+  CHECK(broken_by_definition({{0, 0}}, cells, how).empty());
+  CHECK(broken_by_definition({{0, 0}, {Rational(1, 2), Rational(1, 3)}}, cells, how) ==
+        std::set{Rule::kUnusedPoint});
+}
+
 TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either direction") {
   Mesh listed;
   listed.coordinates = numbers_of({{0, 0}}, 2);

@@ -1,6 +1,8 @@
 //! Finds the C library: in the folder that CIRCUMSPECT_PREFIX names, else as pkg-config says. With
 //! CIRCUMSPECT_STATIC=1 it is an archive.
 use std::env;
+use std::fs;
+use std::path::PathBuf;
 use std::process::{exit, Command};
 
 fn give_up(found: &str) -> ! {
@@ -12,7 +14,28 @@ fn give_up(found: &str) -> ! {
     exit(1)
 }
 
+/// Puts the shared library where cargo looks for it when it runs the tests of whoever has this crate:
+/// the run path is one of the crate's own tests alone, and a prefix is no folder of the system.
+fn lay_down(folder: &str) {
+    let out = PathBuf::from(env::var("OUT_DIR").expect("cargo names a folder"));
+    for file in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = file.file_name().to_string_lossy().into_owned();
+        if !name.starts_with("libcircumspect.") || name.ends_with(".a") {
+            continue;
+        }
+        println!("cargo:rerun-if-changed={}", file.path().display());
+        if let Err(error) = fs::copy(file.path(), out.join(&name)) {
+            give_up(&format!("{name} in {folder}, which cannot be copied ({error})"));
+        }
+    }
+    println!("cargo:rustc-link-search=native={}", out.display());
+}
+
 fn main() {
+    // docs.rs links nothing, and has no C library.
+    if env::var_os("DOCS_RS").is_some() {
+        return;
+    }
     for name in ["CIRCUMSPECT_PREFIX", "CIRCUMSPECT_STATIC", "PKG_CONFIG_PATH"] {
         println!("cargo:rerun-if-env-changed={name}");
     }
@@ -39,6 +62,7 @@ fn main() {
             println!("cargo:rustc-link-search=native={folder}");
             if !is_static {
                 println!("cargo:rustc-link-arg=-Wl,-rpath,{folder}");
+                lay_down(folder);
             }
         } else if let Some(library) = word.strip_prefix("-l") {
             let kind = if is_static && library == "circumspect" { "static=" } else { "" };

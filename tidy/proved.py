@@ -3,7 +3,7 @@
 
     proved.py             what is not as it should be, one line each; exit 1 if there is something
 
-Every notion in proofs/Definitions.v, Domains.v, Complexes.v, Hulls.v, Flats.v and Surfaces.v stands in docs/theory/definitions.md.
+Every notion in proofs/Definitions.v, Domains.v, Complexes.v, Hulls.v, Flats.v, Surfaces.v and Periodic.v stands in docs/theory/definitions.md.
     proved.py --update    write the table of rules anew
 
 A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
@@ -19,6 +19,7 @@ PAGE = "docs/certificates.md"
 HEADER = "| rule | of points | of domains |"
 CLAIMS = "| claim | that it holds | that it does not | what is not proved |"
 OF_POINTS = {"triangulation", "delaunay", "weighted-delaunay"}
+REFUTED_ALONE = {"convex-hull": "verified_not_hull", "surface-delaunay": "verified_not_surface", "periodic-delaunay": "verified_not_periodic"}
 TABLE = {one.identifier: one for one in sorted(of_meshes(), key=lambda one: one.number)}
 
 
@@ -40,9 +41,8 @@ def shown():
         rule = {"domain.uncovered-inside": "domain.uncovered"}.get(rule, rule)
         if kind == ["flat"]:
             theorems.setdefault((rule, "points"), set()).add("verified_not_flat")
-        elif claim in ("convex-hull", "surface-delaunay"):
-            theorem = "verified_not_hull" if claim == "convex-hull" else "verified_not_surface"
-            theorems.setdefault((rule, "points"), set()).add(theorem)
+        elif claim in REFUTED_ALONE:
+            theorems.setdefault((rule, "points"), set()).add(REFUTED_ALONE[claim])
         elif claim in OF_POINTS:
             theorems.setdefault((rule, "points"), set()).add("verified_rule")
         elif claim == "complex":
@@ -124,7 +124,8 @@ def notions():
                              ("proofs/Complexes.v", "Section Complex.", "End Complex."),
                              ("proofs/Hulls.v", "Section Hull.", "End Hull."),
                              ("proofs/Flats.v", "Section Flat.", "End Flat."),
-                             ("proofs/Surfaces.v", "Section Surface.", "End Surface.")):
+                             ("proofs/Surfaces.v", "Section Surface.", "End Surface."),
+                             ("proofs/Periodic.v", "Section Periodic.", "(** ** Rules that the cells may break")):
         book = text(path).split(begin, 1)[1].split(end, 1)[0]
         yield from re.findall(r"^(?:Definition|Inductive|Record|Fixpoint) (\w+)", book, re.MULTILINE)
 

@@ -13,6 +13,7 @@
 #include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
+#include "oracle/certificate/periodic_certificate.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
@@ -244,7 +245,15 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
   if (verdict.tallies().contains(Rule::kPointsEqual)) {
     return is_written(path, mesh_name, mesh, certificate::equal_points_of(mesh, verdict), output);
   }
+  if (const auto certificate = certificate::certificate_of(mesh, verdict)) {
+    return is_written(
+        path, [&](std::ostream& out) { certificate::write(out, mesh, *certificate); }, output);
+  }
   const ExactMesh exactly = exact(mesh);
+  if (mesh.copies) {
+    return is_written(path, mesh_name, exactly,
+                      certificate::periodic_document_of(exactly, *mesh.copies, verdict), output);
+  }
   return is_written(path, mesh_name, exactly, certificate::document_of(exactly, verdict), output);
 }
 

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
+#include "command/check/check_voronoi.hpp"
 #include "command/check/judge_loaded.hpp"
+#include "command/check/periodic_mesh.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
@@ -36,6 +38,8 @@ struct CertifyOptions {
   std::optional<Claim> asked;
   std::optional<std::string> domain;
   DomainOptions said;
+  std::optional<JudgedBox> box;  // that a mesh repeats
+  LatticeOption lattice;
   InputOptions input;
   OutputOptions output;
   check::By by = check::By::kLemma;
@@ -105,7 +109,8 @@ void certify(const CertifyOptions& options, Output& output) {
   }
   const Claim claim = options.asked.value_or(check::default_claim(loaded->mesh, about));
   const check::Options judging = {.by = options.by, .threads = threads};
-  fault = fault_of_loaded(claim, *loaded, judging);
+  if (claim == Claim::kPeriodicDelaunay) fault = unfold(*loaded, options.lattice, options.box);
+  if (fault.empty()) fault = fault_of_loaded(claim, *loaded, judging);
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
     return;
@@ -129,12 +134,20 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
+  const Asked periodic{options.asked == Claim::kPeriodicDelaunay, "--claim periodic-delaunay"};
+  const Asked box{options.box.has_value(), "--box"};
+  const Asked lattice{options.lattice.is_given(), "--lattice"};
   return first_fault(
       {{!options.required.empty(),
         "expected no --require of a certificate, found it: nothing is proved of the shape of "
         "simplices; circumspect check judges it"},
        domain_options_fault(options.said, options.asked, options.domain.has_value()),
-       certificate_fault(options.asked, options.said)});
+       certificate_fault(options.asked, options.said),
+       dependence(box, periodic),
+       dependence(lattice, periodic),
+       contradiction(lattice, box),
+       dependence(periodic, {box.is_given || lattice.is_given, "--lattice or --box"},
+                  "say how the mesh repeats")});
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -195,6 +208,8 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
   add_options(*command,
               {{"--domain", "FILE", into(options->domain), "The domain that the mesh must fill"}});
   add_domain_options(*command, options->said);
+  add_box_option(*command, options->box);
+  add_lattice_option(*command, options->lattice);
   const std::map<std::string, check::By> manners = {{"lemma", check::By::kLemma},
                                                     {"definition", check::By::kDefinition}};
   add_options(*command, {{"--points", "FILE", into(options->input.points),

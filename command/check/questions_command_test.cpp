@@ -76,6 +76,7 @@ TEST_CASE(
     "check --claim periodic-delaunay: each mesh breaks the rule that its table names, or holds") {
   const std::string corpus = CIRCUMSPECT_CORPUS_DIR "/periodic/";
   std::ifstream table(corpus + "expected.tsv");
+  const ScratchFolder folder;
   std::size_t rows = 0;
   for (std::string line; std::getline(table, line); ++rows) {
     INFO(line);
@@ -92,6 +93,12 @@ TEST_CASE(
     const Run defined =
         checked(corpus + mesh, "periodic-delaunay", {how[0], how[1], "--by", "definition"});
     CHECK(defined.exit_code == judged.exit_code);
+    const Run certified = run({"certify", corpus + mesh, "--claim", "periodic-delaunay", how[0],
+                               how[1], "-o", folder.path("proof")});
+    CHECK(certified.exit_code == judged.exit_code);
+    CHECK(has(contents(folder.path("proof")), rule == "holds"
+                                                  ? "circumspect-certificate 1 periodic-delaunay "
+                                                  : "circumspect-refutation 2 periodic-delaunay "));
   }
   CHECK(rows >= 11);
 }
@@ -117,6 +124,17 @@ TEST_CASE("check --claim periodic-delaunay: corners are named, and told where th
   const auto violation = nlohmann::json::parse(json.out)["results"][0]["violations"][0];
   CHECK(violation["places"]["face"].dump() == R"([["1/4","0"],["9/4","1"]])");
   CHECK(!violation.contains("coordinates"));
+}
+
+TEST_CASE("certify periodic-delaunay: cells that are listed too far from each other are refused") {
+  SmallLists lists;
+  lists.folder.write("one.node", "1 2 0 0\n1 0.25 0\n");
+  const std::string far =
+      lists.folder.write("one.ele", "2 3 6\n1 1 1 1 0 0 1 0 1 1\n2 1 1 1 99 0 99 1 100 1\n");
+  const Run refused = run({"certify", far, "--claim", "periodic-delaunay", "--lattice=1,0,0,1",
+                           "-o", lists.folder.path("proof")});
+  CHECK(refused.exit_code == 2);
+  CHECK(has(refused.err, "expected cells that are all listed within 64 lattice vectors"));
 }
 
 TEST_CASE("check --claim periodic-delaunay: what is refused, and what to do") {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/read_domain.hpp"
@@ -161,7 +162,7 @@ class Remedies {
         mesh_(judged.claim, judged.mesh, judged.domain.domain.complex.kind, options) {}
 
   std::optional<std::string> note() {
-    if (may_be_joined()) {
+    if (may_be_joined() && share_segments_in_one_plane(judged_.domain.domain.complex)) {
       joined_ = with_coplanar_joined(judged_.domain);
       if (segments(*joined_) == segments(judged_.domain)) joined_.reset();
     }

@@ -66,6 +66,11 @@ const html = join(folder, 'index.html');
 const licenceOf = { GMP: 'libgmp-dev', MPFR: 'libmpfr-dev', CGAL: 'libcgal-dev', CaDiCaL: 'libcadical-dev', '{fmt}': 'libfmt-dev',
   CLI11: 'libcli11-dev', 'nlohmann/json': 'nlohmann-json3-dev', pugixml: 'libpugixml-dev', zlib: 'zlib1g-dev' };
 
+// The same sources make the same bytes in any folder.
+function tellsNotWhereItWasBuilt() {
+  assert.ok(!readFileSync(join(folder, 'circumspect.wasm')).includes(root), `expected no ${root} in circumspect.wasm: remove ${join(folder, 'build')}`);
+}
+
 async function licences() {
   const packed = readFileSync(html, 'utf8').match(/<script type="text\/plain" id="licence-texts">([^<]*)</)[1];
   const texts = text(gunzipSync(Buffer.from(packed, 'base64')));
@@ -290,6 +295,7 @@ if (mode === '--all') {
 } else if (mode === '--page') {
   await inChromium();
 } else {
+  tellsNotWhereItWasBuilt();
   await licences();
   await golden(20);
   await inChromium();

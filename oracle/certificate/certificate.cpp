@@ -12,80 +12,6 @@
 
 namespace circumspect::certificate {
 
-Lines& Lines::operator<<(std::string_view token) {
-  if (token.empty()) return *this;
-  if (!at_start_) append(" ");
-  append(token);
-  at_start_ = false;
-  return *this;
-}
-
-Lines& Lines::operator<<(const Integer& number) {
-  if (!number.fits_slong_p()) return *this << std::string_view(number.get_str());
-  return *this << number.get_si();
-}
-
-Lines& Lines::gap() {
-  append(" ");
-  return *this;
-}
-
-void Lines::end_line() {
-  append("\n");
-  at_start_ = true;
-}
-
-void Lines::append(std::string_view text) {
-  if (text.size() > text_.size() - used_) flush();
-  if (text.size() > text_.size()) {
-    out_ << text;
-    return;
-  }
-  std::copy(text.begin(), text.end(), text_.begin() + static_cast<std::ptrdiff_t>(used_));
-  used_ += text.size();
-}
-
-void Lines::flush() {
-  out_ << std::string_view(text_.data(), used_);
-  used_ = 0;
-}
-
-void write_first_line(Lines& lines, std::string_view kind, Claim claim, std::size_t dimension,
-                      std::string_view more) {
-  lines << kind << name(claim) << dimension;
-  if (!more.empty()) lines << more;
-  lines.end_line();
-}
-
-void write_scale(Lines& lines, const ScaledPoints& points) {
-  lines << "scale" << points.scale_numerator << points.scale_denominator;
-  lines.end_line();
-}
-
-void write_point(Lines& lines, const ScaledPoints& points, Vertex v, bool weighted) {
-  for (std::size_t axis = 0; axis < points.dimension; ++axis) {
-    lines << points.coordinate(v, axis);
-  }
-  if (!weighted) return;
-  lines << (points.weights.empty() ? Integer(0) : points.weights[static_cast<std::size_t>(v)]);
-}
-
-void write_points(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
-                  const std::vector<Vertex>& order) {
-  lines << "points" << order.size();
-  lines.end_line();
-  for (const Vertex v : order) {
-    write_point(lines, points, v, false);
-    lines.gap() << mesh.label(v);
-    lines.end_line();
-  }
-}
-
-void write_point(Lines& lines, const HomogeneousPoint& point) {
-  for (const Integer& x : point.numerators) lines << x;
-  lines << point.denominator;
-}
-
 FaceUse face_use(std::span<const std::uint32_t> vertices, std::size_t cell, std::size_t place) {
   FaceUse use{{0, 0, 0}, static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(place)};
   std::size_t size = 0;
@@ -143,16 +69,21 @@ std::vector<std::size_t> numbers_in(const std::vector<Vertex>& order) {
 
 namespace {
 
-// Swaps two vertices where that makes the orientation positive.
-std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh, std::size_t size,
-                                                 Sidedness& sidedness) {
+std::vector<CertifiedSimplex> with_vertices(const ExactMesh& mesh, std::size_t size) {
   std::vector<CertifiedSimplex> simplices(mesh.simplices.size());
   for (std::size_t s = 0; s < simplices.size(); ++s) {
-    const Simplex& simplex = mesh.simplices[s];
-    assert(simplex.size() == size);
-    std::array<Vertex, 4>& vertices = simplices[s].vertices;
-    std::copy(simplex.begin(), simplex.end(), vertices.begin());
-    if (sidedness.orientation(simplex) < 0) std::swap(vertices[size - 2], vertices[size - 1]);
+    assert(mesh.simplices[s].size() == size);
+    std::copy_n(mesh.simplices[s].begin(), size, simplices[s].vertices.begin());
+  }
+  return simplices;
+}
+
+template <class Index>
+std::vector<CertifiedSimplex> with_vertices(const Rows<Index>& rows) {
+  std::vector<CertifiedSimplex> simplices(rows.rows());
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    const auto row = rows.row(s);
+    std::copy(row.begin(), row.end(), simplices[s].vertices.begin());
   }
   return simplices;
 }
@@ -286,35 +217,69 @@ void find_incidences(Certificate& certificate) {
   }
 }
 
-// The barycentre of the first simplex is in the interior of what the mesh covers, so on the inner
-// side of all hull facets, and in no other simplex (docs/theory/points.md).
-void choose_sample(Certificate& certificate, Sidedness& sidedness) {
+// Swaps two vertices where that makes the orientation positive, and parts each simplex from the
+// sample point. That is the barycentre of the first, in the interior of what the mesh covers, so on
+// the inner side of all hull facets, and in no other simplex (docs/theory/points.md).
+void orient_and_part(Certificate& certificate) {
   const std::size_t size = certificate.points.dimension + 1;
   const std::array<Vertex, 4>& first = certificate.simplices.front().vertices;
   certificate.sample = barycentre(certificate.points, Simplex(first.begin(), first.begin() + size));
-  for (std::size_t s = 1; s < certificate.simplices.size(); ++s) {
+  Sidedness sidedness(certificate.points);
+  for (std::size_t s = 0; s < certificate.simplices.size(); ++s) {
     CertifiedSimplex& simplex = certificate.simplices[s];
-    const auto vertices = std::span<const Vertex>(simplex.vertices).first(size);
+    const auto vertices = std::span(simplex.vertices).first(size);
+    if (sidedness.orientation(vertices) < 0) std::swap(vertices[size - 2], vertices[size - 1]);
+    if (s == 0) continue;
     simplex.separating = sidedness.separating_place(vertices, 1, certificate.sample);
     assert(simplex.separating);
   }
 }
 
-}  // namespace
-
-Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points) {
-  assert(!mesh.simplices.empty());
-  assert(mesh.points.size() < std::numeric_limits<std::uint32_t>::max());
-  assert(mesh.simplices.size() < std::size_t{1} << 29);  // facets are numbered
+Certificate completed(Claim claim, ScaledPoints points, std::vector<CertifiedSimplex> simplices) {
+  assert(!simplices.empty());
+  assert(points.size() < std::numeric_limits<std::uint32_t>::max());
+  assert(simplices.size() < std::size_t{1} << 29);  // facets are numbered
   Certificate certificate{claim, std::move(points)};
   certificate.order = lexicographic_order(certificate.points);
-  Sidedness sidedness(certificate.points);
-  certificate.simplices = positive_simplices(mesh, certificate.points.dimension + 1, sidedness);
+  certificate.simplices = std::move(simplices);
+  orient_and_part(certificate);
   match_facets(certificate);
   match_ridges(certificate);
   find_incidences(certificate);
-  choose_sample(certificate, sidedness);
   return certificate;
+}
+
+}  // namespace
+
+Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points) {
+  auto simplices = with_vertices(mesh, points.dimension + 1);
+  return completed(claim, std::move(points), std::move(simplices));
+}
+
+std::optional<Certificate> certificate_of(const Mesh& mesh, const Verdict& verdict) {
+  const Claim claim = verdict.claim();
+  const std::size_t d = mesh.dimension();
+  const auto* const doubles = std::get_if<Rows<double>>(&mesh.coordinates);
+  const bool is_plain = verdict.holds() && !mesh.is_weighted() && !mesh.copies &&
+                        (claim == Claim::kTriangulation || claim == Claim::kDelaunay);
+  if (!is_plain || doubles == nullptr || (d != 2 && d != 3)) return std::nullopt;
+  if (mesh.simplices.empty() || mesh.simplices.columns() != d + 1) return std::nullopt;
+  return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> std::optional<Certificate> {
+    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+      return std::nullopt;
+    } else {
+      auto points = scaled_to_integers(*doubles);
+      if (!points) return std::nullopt;
+      Certificate certificate = completed(claim, std::move(*points), with_vertices(lists));
+      certificate.standing = standing_of(verdict);
+      return certificate;
+    }
+  });
+}
+
+std::string_view standing_of(const Verdict& verdict) {
+  if (verdict.unique.value_or(false)) return "unique";
+  return verdict.canonical.value_or(false) ? "canonical" : "";
 }
 
 namespace {

@@ -16,6 +16,7 @@
 
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
@@ -158,6 +159,14 @@ struct Certificate {
 // the dimension of their affine hull.
 Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points);
 
+// The same from the arrays of a large mesh, which are not copied, with its standing. Nothing unless
+// triangulation or delaunay holds of doubles without weights, and the simplices have as many
+// dimensions as the points: then document_of (document.hpp) is to be asked.
+std::optional<Certificate> certificate_of(const Mesh& mesh, const Verdict& verdict);
+
+// What a verdict says beside the claim.
+std::string_view standing_of(const Verdict& verdict);
+
 // From the scale to the sample point; proofs/CERTIFICATE.md lays it out. The mesh says by which
 // index its user knows a point.
 // The last points, so many, have no label.
@@ -166,6 +175,7 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certific
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate);
+void write(std::ostream& out, const Mesh& mesh, const Certificate& certificate);
 
 // In which simplices of a triangulation do points lie? Book: Section 5.5 (walking).
 

@@ -1,6 +1,8 @@
 // Certificates that claims hold.
 #include "oracle/certificate/certificate.hpp"
 
+#include <sstream>
+
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
@@ -16,6 +18,15 @@ std::string certificate_text(const ExactMesh& mesh, Claim claim = Claim::kDelaun
   REQUIRE(verdict.holds());
   const std::string text = text_of(mesh, *document_of(mesh, verdict));
   CHECK(fault_of(mesh, verdict, text) == "");
+  // From the arrays of the mesh it is the same.
+  const Mesh rows = in_rows(mesh);
+  const auto from_rows = certificate_of(rows, verdict);
+  CHECK(from_rows.has_value() == (claim != Claim::kWeightedDelaunay));
+  if (from_rows) {
+    std::ostringstream written;
+    write(written, rows, *from_rows);
+    CHECK(written.str() == text);
+  }
   return text;
 }
 

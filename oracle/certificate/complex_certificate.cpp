@@ -8,6 +8,7 @@
 
 #include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/fast/box_tree.hpp"
 
 namespace circumspect::certificate {
 namespace {
@@ -70,6 +71,14 @@ class Partings {
     }
     return p;
   }
+  // The sign of the plane's value there.
+  int side_of(const Hyperplane& plane, Vertex v) const {
+    Integer value = -plane.offset;
+    for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+      add_product(value, plane.normal[axis], points_.coordinate(v, axis));
+    }
+    return sign(value);
+  }
   std::vector<Vector> places(const Simplex& simplex) const {
     std::vector<Vector> all;
     for (const Vertex v : simplex) all.push_back(place(v));
@@ -118,12 +127,21 @@ bool Partings::is_beyond_facet(std::size_t s, const Simplex& other) {
   const Simplex& simplex = mesh_.simplices[s];
   const std::size_t d = points_.dimension;
   if (simplex.size() < d) return false;
+  std::array<bool, 4> is_shared = {};  // by places in the simplex
+  std::array<Vertex, 4> others;
+  std::size_t size = 0;
+  for (const Vertex v : other) {
+    const auto own = std::find(simplex.begin(), simplex.end(), v);
+    if (own != simplex.end()) {
+      is_shared[static_cast<std::size_t>(own - simplex.begin())] = true;
+    } else {
+      others[size++] = v;
+    }
+  }
   const auto all_are_beyond = [&](std::size_t place, int sign) {
-    return std::all_of(other.begin(), other.end(), [&](Vertex v) {
-      const auto own = std::find(simplex.begin(), simplex.end(), v);
-      if (own != simplex.end()) return own - simplex.begin() != static_cast<std::ptrdiff_t>(place);
-      return side(s, place, v) * sign > 0;
-    });
+    if (is_shared[place]) return false;
+    return std::all_of(others.begin(), others.begin() + size,
+                       [&](Vertex v) { return side(s, place, v) * sign > 0; });
   };
   if (simplex.size() == d) return all_are_beyond(d, 1) || all_are_beyond(d, -1);
   for (std::size_t place = 0; place <= d; ++place) {
@@ -165,10 +183,10 @@ std::vector<Vector> Partings::pads(const Simplex& simplex) const {
 bool Partings::parts(const Hyperplane& plane, const Simplex& above, const Simplex& below) const {
   return std::all_of(above.begin(), above.end(),
                      [&](Vertex v) {
-                       const int sign = sgn(plane.at(place(v)));
-                       return sign > 0 || (sign == 0 && contains(below, v));
+                       const int side = side_of(plane, v);
+                       return side > 0 || (side == 0 && contains(below, v));
                      }) &&
-         std::all_of(below.begin(), below.end(), [&](Vertex v) { return plane.at(place(v)) <= 0; });
+         std::all_of(below.begin(), below.end(), [&](Vertex v) { return side_of(plane, v) <= 0; });
 }
 
 std::vector<Vector> Partings::completed(const Simplex& a, const Simplex& b) const {
@@ -176,8 +194,9 @@ std::vector<Vector> Partings::completed(const Simplex& a, const Simplex& b) cons
   for (const Vertex v : b) {
     if (!contains(a, v)) all.push_back(place(v));
   }
-  // Each point that leaves the affine hull of those before it; then so does one along an axis.
   const std::size_t d = points_.dimension;
+  if (a.size() == d + 1 || b.size() == d + 1) return all;  // no simplex is flat
+  // Each point that leaves the affine hull of those before it; then so does one along an axis.
   std::vector<Vector> basis;  // differences, in row echelon form
   const auto leaves = [&](Vector u) {
     for (const Vector& row : basis) {
@@ -259,7 +278,7 @@ std::optional<Parting> Partings::between(std::size_t s, std::size_t t) {
     if (is_zero(plane)) continue;
     const auto lies = [&](const Simplex& simplex, int side) {
       return std::all_of(simplex.begin(), simplex.end(),
-                         [&](Vertex v) { return sgn(plane.at(place(v))) * side >= 0; });
+                         [&](Vertex v) { return side_of(plane, v) * side >= 0; });
     };
     for (const int side : {1, -1}) {
       if (!lies(a, side) || !lies(b, -side)) continue;
@@ -311,6 +330,20 @@ std::vector<std::size_t> near_sequence(const std::vector<Box>& boxes, std::size_
   return sequence;
 }
 
+// The checker's boxes, which have no edges cut off. Where one goes on without end, it ends at the
+// largest double, as all others do: the same ones meet.
+std::vector<fast::AxisBox> axis_boxes(const std::vector<Box>& boxes) {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  std::vector<fast::AxisBox> made(boxes.size());
+  for (std::size_t s = 0; s < boxes.size(); ++s) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      made[s].low[axis] = std::clamp(boxes[s].low[axis], -kFar, kFar);
+      made[s].high[axis] = std::clamp(boxes[s].high[axis], -kFar, kFar);
+    }
+  }
+  return made;
+}
+
 }  // namespace
 
 ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints points) {
@@ -331,20 +364,17 @@ ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints po
   }
   made.sequence = near_sequence(boxes, made.points.dimension);
   Partings partings(mesh, made.points);
-  const BoxIndex index(boxes);
+  for (const Simplex& simplex : mesh.simplices) made.pads.push_back(partings.pads(simplex));
   made.partings.resize(mesh.simplices.size());
-  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
-    made.pads.push_back(partings.pads(mesh.simplices[s]));
-    // The checker's boxes have no edges cut off.
-    Box box = boxes[s];
-    for (std::size_t i = 3; i < box.low.size(); ++i) {
-      box.low[i] = -std::numeric_limits<double>::infinity();
-      box.high[i] = std::numeric_limits<double>::infinity();
-    }
-    for (const std::size_t t : index.meeting(box)) {
-      if (t <= s) continue;
-      if (auto parting = partings.between(s, t)) made.partings[s].push_back(std::move(*parting));
-    }
+  fast::BoxTree(axis_boxes(boxes))
+      .all_pairs(std::numeric_limits<std::size_t>::max(), [&](std::size_t s, std::size_t t) {
+        if (s > t) std::swap(s, t);
+        if (auto parting = partings.between(s, t)) made.partings[s].push_back(std::move(*parting));
+        return true;
+      });
+  for (std::vector<Parting>& own : made.partings) {
+    std::sort(own.begin(), own.end(),
+              [](const Parting& a, const Parting& b) { return a.other < b.other; });
   }
   return made;
 }

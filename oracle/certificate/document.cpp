@@ -195,7 +195,8 @@ bool may_lie_anywhere(const Verdict& verdict) {
 // What certificates do not cover; empty if they cover this.
 std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
   const Claim claim = verdict.claim();
-  if (is_about_a_domain(claim) || is_unproved(claim)) {
+  // Of what a lattice repeats, periodic_certificate.hpp makes documents.
+  if (is_about_a_domain(claim) || is_unproved(claim) || claim == Claim::kPeriodicDelaunay) {
     return fmt::format(
         "expected complex, convex-hull, surface-delaunay, triangulation, delaunay or "
         "weighted-delaunay for a certificate, found {}",
@@ -220,9 +221,7 @@ std::string limit(const ExactMesh& mesh, const Verdict& verdict) {
 
 }  // namespace
 
-bool is_unproved(Claim claim) {
-  return claim == Claim::kVoronoi || claim == Claim::kPeriodicDelaunay;
-}
+bool is_unproved(Claim claim) { return claim == Claim::kVoronoi; }
 
 tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
   const std::string beyond = limit(mesh, verdict);
@@ -244,9 +243,7 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
   }
   if (verdict.holds()) {
     Certificate certificate = certificate_of(mesh, verdict.claim(), std::move(*points));
-    certificate.standing = verdict.unique.value_or(false)      ? "unique"
-                           : verdict.canonical.value_or(false) ? "canonical"
-                                                               : "";
+    certificate.standing = standing_of(verdict);
     return certificate;
   }
   auto refutation = refutation_of(mesh, verdict, *points);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "oracle/judge/fast/predicates/lattice.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 
 namespace circumspect::certificate {
@@ -21,21 +22,27 @@ Integer least_common_denominator(const PointSet& points, double most_bits) {
   return scale;
 }
 
-// Sets coordinates and scale. `denominator` is a common one.
-void scale_coordinates(const PointSet& points, const Integer& denominator, ScaledPoints& scaled) {
-  scaled.coordinates.reserve(points.size() * scaled.dimension);
+// Divides the coordinates by what they have in common, and sets the scale. The denominator is the
+// least, so that it has no factor in common with all of them.
+void divide_out(const Integer& denominator, ScaledPoints& scaled) {
   Integer common = 0;
-  for (const Point& point : points.points()) {
-    for (const Rational& x : point) {
-      scaled.coordinates.push_back(numerator_over(denominator, x));
-      if (common != 1) common = gcd(common, scaled.coordinates.back());
-    }
+  for (const Integer& x : scaled.coordinates) {
+    common = gcd(common, x);
+    if (common == 1) break;
   }
-  // The denominator is the least, so it has no factor in common with all numerators.
   scaled.scale_denominator = denominator;
   if (common <= 1) return;
   for (Integer& x : scaled.coordinates) x = exact_quotient(x, common);
   scaled.scale_numerator = common;
+}
+
+// Sets coordinates and scale. `denominator` is a common one.
+void scale_coordinates(const PointSet& points, const Integer& denominator, ScaledPoints& scaled) {
+  scaled.coordinates.reserve(points.size() * scaled.dimension);
+  for (const Point& point : points.points()) {
+    for (const Rational& x : point) scaled.coordinates.push_back(numerator_over(denominator, x));
+  }
+  divide_out(denominator, scaled);
 }
 
 // A small k whose square is a multiple of n: the least if n has at most one prime factor above the
@@ -71,6 +78,10 @@ void scale_weights(const PointSet& points, ScaledPoints& scaled) {
   scaled.scale_denominator = finest.get_den();
 }
 
+constexpr std::string_view kTooLarge =
+    "a certificate lists all points as integers over one denominator, and the denominators of "
+    "these have so little in common that it would take gigabytes";
+
 }  // namespace
 
 tl::expected<ScaledPoints, std::string> scaled_to_integers(const PointSet& points,
@@ -78,13 +89,30 @@ tl::expected<ScaledPoints, std::string> scaled_to_integers(const PointSet& point
   ScaledPoints scaled;
   scaled.dimension = points.ambient_dimension();
   const Integer denominator = least_common_denominator(points, most_bits);
-  if (denominator == 0) {
-    return tl::unexpected(
-        std::string("a certificate lists all points as integers over one denominator, and the "
-                    "denominators of these have so little in common that it would take gigabytes"));
-  }
+  if (denominator == 0) return tl::unexpected(std::string(kTooLarge));
   scale_coordinates(points, denominator, scaled);
   if (points.is_weighted()) scale_weights(points, scaled);
+  return scaled;
+}
+
+tl::expected<ScaledPoints, std::string> scaled_to_integers(const Rows<double>& points,
+                                                           double most_bits) {
+  int finest = 0;  // the exponent of the unit
+  for (const double x : points.values()) finest = std::min(finest, fast::dyadic(x).exponent);
+  const Integer denominator = Integer(1) << static_cast<unsigned long>(-finest);
+  if (static_cast<double>(bit_length(denominator)) * static_cast<double>(points.values().size()) >
+      most_bits) {
+    return tl::unexpected(std::string(kTooLarge));
+  }
+  ScaledPoints scaled;
+  scaled.dimension = points.columns();
+  scaled.coordinates.reserve(points.values().size());
+  for (const double x : points.values()) {
+    const fast::Dyadic parts = fast::dyadic(x);
+    scaled.coordinates.push_back(to_integer(parts.mantissa)
+                                 << static_cast<unsigned long>(parts.exponent - finest));
+  }
+  divide_out(denominator, scaled);
   return scaled;
 }
 
@@ -165,20 +193,66 @@ bool Sidedness::has_enclosed_points() {
     const bool is_double = std::isfinite(rounded) && x == rounded;
     enclosed_.push_back(is_double ? exactly(rounded) : enclosing(Rational(x)));
   }
-  are_doubles_ =
+  const bool are_doubles =
       std::all_of(enclosed_.begin(), enclosed_.end(), [](Interval x) { return x.low == x.high; });
+  if (are_doubles) {
+    doubles_.reserve(enclosed_.size());
+    for (const Interval x : enclosed_) doubles_.push_back(x.low);
+  }
   return !enclosed_.empty();
 }
 
 template <std::size_t kDimension>
-int Sidedness::orientation_of_doubles(std::span<const Vertex> simplex) {
+fast::SiteRow<kDimension> Sidedness::row_of_doubles(std::span<const Vertex> simplex) const {
   fast::SiteRow<kDimension> row;
   for (std::size_t i = 0; i <= kDimension; ++i) {
-    for (std::size_t axis = 0; axis < kDimension; ++axis) {
-      row[i].at[axis] = enclosed(simplex[i], axis).low;
-    }
+    const double* const at = &doubles_[static_cast<std::size_t>(simplex[i]) * kDimension];
+    std::copy_n(at, kDimension, row[i].at.begin());
   }
-  return fast::orientation<kDimension>(row, stages_);
+  return row;
+}
+
+namespace {
+
+// The sign of the determinant for every point in place of one of the row's that is off by so much
+// along each axis; 0 or kUncertain: it is not certain. The determinant is linear in that point. Its
+// slope along an axis is a minor of the other columns, of differences of the other points, which
+// are at most twice the largest entries: at most 8 times the product of these (in the plane, 2).
+// Twice that is more than what rounding can take from it.
+int certain_sign_nearby(const fast::SiteRow<2>& row, const std::array<double, 2>& off) {
+  const auto a = fast::row_from<false>(row[2], row[0]), b = fast::row_from<false>(row[2], row[1]);
+  const double value = fast::minor(a.row.x, a.row.y, b.row.x, b.row.y);
+  const fast::Scale2 scale = fast::larger(a.scale, b.scale);
+  const double more = 4 * (off[0] * scale.y + off[1] * scale.x);
+  return fast::certain_sign<int>(value > 0 ? value - more : value + more, fast::kOrientation2,
+                                 scale, {}) *
+         (std::fabs(value) > more ? 1 : 0);
+}
+
+int certain_sign_nearby(const fast::SiteRow<3>& row, const std::array<double, 3>& off) {
+  const auto a = fast::row_from<false>(row[3], row[0]), b = fast::row_from<false>(row[3], row[1]),
+             c = fast::row_from<false>(row[3], row[2]);
+  const double value = fast::volume(a.row, b.row, c.row);
+  const fast::Scale3 scale = fast::larger(fast::larger(a.scale, b.scale), c.scale);
+  const double more =
+      16 * (off[0] * scale.y * scale.z + off[1] * scale.x * scale.z + off[2] * scale.x * scale.y);
+  return fast::certain_sign<int>(value > 0 ? value - more : value + more, fast::kOrientation3,
+                                 scale, {}) *
+         (std::fabs(value) > more ? 1 : 0);
+}
+
+}  // namespace
+
+template <std::size_t kDimension>
+int Sidedness::certain_orientation_with(std::span<const Vertex> simplex, std::size_t place) const {
+  fast::SiteRow<kDimension> row = row_of_doubles<kDimension>(simplex);
+  std::array<double, kDimension> off;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    row[place].at[axis] = enclosed_moved_[axis].low;
+    off[axis] = enclosed_moved_[axis].high - enclosed_moved_[axis].low;
+  }
+  const int sign = certain_sign_nearby(row, off);
+  return sign == fast::kUncertain ? 0 : sign;
 }
 
 void Sidedness::enclose(const HomogeneousPoint& q) {
@@ -202,8 +276,9 @@ int Sidedness::orientation(std::span<const Vertex> simplex) {
   const std::size_t d = points_.dimension;
   assert(simplex.size() == d + 1);
   if (has_enclosed_points()) {
-    if (are_doubles_) {
-      return d == 2 ? orientation_of_doubles<2>(simplex) : orientation_of_doubles<3>(simplex);
+    if (!doubles_.empty()) {
+      return d == 2 ? fast::orientation<2>(row_of_doubles<2>(simplex), stages_)
+                    : fast::orientation<3>(row_of_doubles<3>(simplex), stages_);
     }
     for (std::size_t i = 0; i < d; ++i) {
       for (std::size_t axis = 0; axis < d; ++axis) {
@@ -226,6 +301,11 @@ int Sidedness::orientation_with(std::span<const Vertex> simplex, std::size_t pla
   assert(simplex.size() == d + 1);
   if (has_enclosed_points()) {
     enclose(q);
+    if (!doubles_.empty()) {
+      const int sign = d == 2 ? certain_orientation_with<2>(simplex, place)
+                              : certain_orientation_with<3>(simplex, place);
+      if (sign != 0) return sign;
+    }
     const auto at = [&](std::size_t i, std::size_t axis) {
       return i == place ? enclosed_moved_[axis] : enclosed(simplex[i], axis);
     };

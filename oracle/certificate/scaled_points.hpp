@@ -13,6 +13,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/point.hpp"
 #include "oracle/judge/fast/predicates/site.hpp"
+#include "oracle/model/index_lists.hpp"
 
 namespace circumspect::certificate {
 
@@ -39,6 +40,10 @@ struct ScaledPoints {
 // common; both are positive. Weights may make the scale finer. Error: denominators that have so
 // little in common that the coordinates may take more than `most_bits` together.
 tl::expected<ScaledPoints, std::string> scaled_to_integers(const PointSet& points,
+                                                           double most_bits = kMostBits);
+
+// The same of one point a row, without weights. Requires: finite numbers.
+tl::expected<ScaledPoints, std::string> scaled_to_integers(const Rows<double>& points,
                                                            double most_bits = kMostBits);
 
 // A point with rational coordinates among the integer points: numerators over a positive
@@ -95,14 +100,17 @@ class Sidedness {
     return enclosed_[static_cast<std::size_t>(v) * points_.dimension + axis];
   }
   template <std::size_t kDimension>
-  int orientation_of_doubles(std::span<const Vertex> simplex);
+  fast::SiteRow<kDimension> row_of_doubles(std::span<const Vertex> simplex) const;
+  // With vertex number `place` moved to enclosed_moved_; 0: doubles do not tell.
+  template <std::size_t kDimension>
+  int certain_orientation_with(std::span<const Vertex> simplex, std::size_t place) const;
   void enclose(const HomogeneousPoint& q);
   int certain_sign_of_determinant() const;
 
   const ScaledPoints& points_;
   std::size_t calls_ = 0;
   std::vector<Interval> enclosed_;  // coordinates, once they are known
-  bool are_doubles_ = false;        // all of these
+  std::vector<double> doubles_;     // the same, if all of them are doubles
   fast::Stages stages_;
   HomogeneousPoint moved_to_;  // the point that the next was made of
   std::array<Interval, 3> enclosed_moved_;

@@ -1,6 +1,7 @@
 // Points over one scale, and the sides of facets.
 #include "oracle/certificate/scaled_points.hpp"
 
+#include <array>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -58,6 +59,39 @@ TEST_CASE("weights make the scale no finer than they must") {
   CHECK(large_prime->weights == Integers{1, 0, 0});
   const auto no_square = scaled_to_integers(PointSet(corners, {Rational(4, 1009), 0, 0}));
   CHECK(no_square->weights == Integers{1009, 0, 0});
+}
+
+// The same integers over the same scale as of the points, exactly.
+TEST_CASE("doubles in rows are scaled like points") {
+  std::mt19937_64 random(7);
+  const double units[] = {0x1p-1074, 0x1p-60, 0.75, 6, 0x1p80};
+  for (const double unit : units) {
+    for (const bool has_zero : {false, true}) {
+      UninitializedVector<double> values;
+      std::vector<Point> points;
+      for (std::size_t i = 0; i < 5; ++i) {
+        Point point;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto x = static_cast<double>(static_cast<std::int64_t>(random() % 2000) - 1000);
+          values.push_back(i == 0 && has_zero ? -0.0 : x * unit);
+          point.push_back(exact_value(values.back()));
+        }
+        points.push_back(point);
+      }
+      const auto expected = scaled_to_integers(PointSet(points));
+      const Rows<double> rows(std::move(values), 3);
+      const auto found = scaled_to_integers(rows);
+      CHECK(found->coordinates == expected->coordinates);
+      CHECK(found->dimension == 3);
+      CHECK(found->scale_numerator == expected->scale_numerator);
+      CHECK(found->scale_denominator == expected->scale_denominator);
+      // Refused where points are.
+      for (const double most : {15., 150., 1500., 15000., 16124., 16125., 16126.}) {
+        CHECK(scaled_to_integers(rows, most).has_value() ==
+              scaled_to_integers(PointSet(points), most).has_value());
+      }
+    }
+  }
 }
 
 TEST_CASE("denominators with too little in common are refused") {
@@ -127,7 +161,7 @@ TEST_CASE("orientations are the same whether doubles are asked first or not") {
   for (const std::size_t d : {2u, 3u}) {
     for (int round = 0; round < 60; ++round) {
       ScaledPoints points{d};
-      const int bits = round % 3 == 0 ? 2 : round % 3 == 1 ? 54 : 200;
+      const int bits = std::array{2, 40, 54, 200}[static_cast<std::size_t>(round) % 4];
       for (std::size_t i = 0; i < 6 * d; ++i) {
         Integer x = to_integer(static_cast<std::int64_t>(random() % 4));
         x <<= static_cast<unsigned>(bits);
@@ -140,7 +174,10 @@ TEST_CASE("orientations are the same whether doubles are asked first or not") {
         const int expected = Sidedness(points).orientation(simplex);
         CHECK(used.orientation(simplex) == expected);
         zeros += expected == 0 ? 1u : 0u;
-        const HomogeneousPoint q = barycentre(points, {simplex[0], simplex[1]});
+        // A third of a sum is no double.
+        const auto some = static_cast<std::ptrdiff_t>(1 + random() % (d + 1));
+        const HomogeneousPoint q =
+            barycentre(points, Simplex(simplex.begin(), simplex.begin() + some));
         const std::size_t place = random() % (d + 1);
         CHECK(used.orientation_with(simplex, place, q) ==
               Sidedness(points).orientation_with(simplex, place, q));

@@ -26,7 +26,8 @@ void write_optional(Lines& lines, const std::optional<Number>& number) {
   }
 }
 
-void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
+template <class AnyMesh>
+void write_points(Lines& lines, const AnyMesh& mesh, const Certificate& certificate,
                   std::size_t helpers) {
   begin_section(lines, "points", certificate.order.size());
   for (const Vertex v : certificate.order) {
@@ -79,10 +80,9 @@ void write_hull(Lines& lines, const Certificate& certificate) {
   }
 }
 
-}  // namespace
-
-void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
-                std::size_t helpers) {
+template <class AnyMesh>
+void write_any_mesh(Lines& lines, const AnyMesh& mesh, const Certificate& certificate,
+                    std::size_t helpers) {
   write_scale(lines, certificate.points);
   write_points(lines, mesh, certificate, helpers);
   write_simplices(lines, certificate);
@@ -92,13 +92,29 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certific
   lines.end_line();
 }
 
-void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate) {
+template <class AnyMesh>
+void write_whole(std::ostream& out, const AnyMesh& mesh, const Certificate& certificate) {
   Lines lines(out);
   write_first_line(lines, "circumspect-certificate 1", certificate.claim,
                    certificate.points.dimension, certificate.standing);
-  write_mesh(lines, mesh, certificate);
+  write_any_mesh(lines, mesh, certificate, 0);
   lines << "end";
   lines.end_line();
+}
+
+}  // namespace
+
+void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate,
+                std::size_t helpers) {
+  write_any_mesh(lines, mesh, certificate, helpers);
+}
+
+void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate) {
+  write_whole(out, mesh, certificate);
+}
+
+void write(std::ostream& out, const Mesh& mesh, const Certificate& certificate) {
+  write_whole(out, mesh, certificate);
 }
 
 namespace {

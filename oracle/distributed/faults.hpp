@@ -202,7 +202,6 @@ class FaultSearch {
       auto submerged = look_at_unused_points(ranks_, mesh_, orientations, stages_);
       take(std::move(submerged.faulty), faults_.submerged);
       found.unique &= submerged.unique;
-      found.canonical &= submerged.canonical;
       ranks_.end_phase("submerged points");
     }
     faults_.unique = !ranks_.any(!found.unique);

@@ -95,7 +95,6 @@ class DistributedJudge {
       ranks_.end_phase("submerged points");
       if (ranks_.any(!submerged.faulty.empty())) return false;
       found.unique &= submerged.unique;
-      found.canonical &= submerged.canonical;
     }
     const bool unique = !ranks_.any(!swept.unique || !found.unique);
     const bool canonical = !ranks_.any(!swept.canonical || !found.canonical);

@@ -87,8 +87,9 @@ struct FaultyPoint {
 template <std::size_t kDimension>
 struct SubmergedFindings {
   std::vector<FaultyPoint<kDimension>> faulty = {};  // this rank's points
-  bool unique = true;                                // as in fast::Swept
-  bool canonical = true;
+  // As in fast::Swept. A tie says nothing against the canonical triangulation: there a point that
+  // is in a simplex and in its witness plane stays submerged (fast::SubmergedPoints).
+  bool unique = true;
 };
 
 // Looks at the points that no simplex names, in batches: each rank looks for those of all ranks in
@@ -105,7 +106,6 @@ SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMes
     std::uint64_t place;  // of the simplex, in the whole mesh
     FacetName simplex;
     std::int32_t side;  // of the witness plane: 1: below
-    bool canonical;
   };
   SubmergedFindings<kDimension> found;
   const std::vector<std::size_t> unused = mesh.unused();
@@ -127,12 +127,9 @@ SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMes
           return;
         }
         const int side = fast::ball_of<kDimension, true>(row).contains(point.site, stages) * sign;
-        const bool canonical = side != 0 || fast::perturbed_sign_of_zero<kDimension>(
-                                                row, sign, point.site, stages) < 0;
         const FacetName name{static_cast<std::int32_t>(ranks.rank()),
                              static_cast<std::uint32_t>(s * kVertices)};
-        out[mesh.owner_of(point.index)].push_back(
-            {point.index, mesh.place(s), name, side, canonical});
+        out[mesh.owner_of(point.index)].push_back({point.index, mesh.place(s), name, side});
       });
     }
     std::vector<Containing> containing = ranks.exchanged(std::move(out));
@@ -148,7 +145,6 @@ SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMes
         found.faulty.push_back({point, next->simplex});
       } else if (next->side == 0) {
         found.unique = false;
-        found.canonical &= next->canonical;
       }
     }
   }

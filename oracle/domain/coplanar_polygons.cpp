@@ -1,8 +1,11 @@
 #include "oracle/domain/coplanar_polygons.hpp"
 
 #include <algorithm>
+#include <array>
+#include <compare>
 #include <map>
 #include <set>
+#include <span>
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
@@ -95,25 +98,77 @@ std::vector<Point> seeds_in_holes(const PointSet& points, const Polygon& polygon
   return seeds;
 }
 
+// That a polygon has a segment.
+struct SegmentUse {
+  std::array<Vertex, 2> ends;  // ascending
+  std::size_t polygon;
+
+  friend auto operator<=>(const SegmentUse&, const SegmentUse&) = default;
+};
+
+// By segments, and then by polygons.
+std::vector<SegmentUse> segment_uses(const PiecewiseLinearComplex& complex) {
+  std::vector<SegmentUse> uses;
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    for (const Simplex& segment : complex.polygons[p].segments) {
+      uses.push_back({{segment[0], segment[1]}, p});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+// Calls visit(uses) for each segment, until it returns false. Did it never?
+bool all_segments(std::span<const SegmentUse> uses, const auto& visit) {
+  while (!uses.empty()) {
+    std::size_t size = 1;
+    while (size < uses.size() && uses[size].ends == uses[0].ends) ++size;
+    if (!visit(uses.first(size))) return false;
+    uses = uses.subspan(size);
+  }
+  return true;
+}
+
+// Calls visit(p, q) for each two polygons of one plane that have a segment, until it returns false.
+// Did it never?
+bool all_in_one_plane(const PiecewiseLinearComplex& complex, std::span<const SegmentUse> uses,
+                      const auto& visit) {
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    for (std::size_t j = i + 1; j < uses.size(); ++j) {
+      const std::size_t p = uses[i].polygon, q = uses[j].polygon;
+      const bool are_in_one = lie_in_one_plane(complex.points.configuration(), complex.polygons[p],
+                                               complex.polygons[q]);
+      if (are_in_one && !visit(p, q)) return false;
+    }
+  }
+  return true;
+}
+
 class JoiningOfPolygons {
  public:
   JoiningOfPolygons(const PiecewiseLinearInput& input, const PiecewiseLinearComplex& complex)
-      : input_(input), complex_(complex), groups_(complex.polygons.size()) {
-    for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
-      for (const Simplex& segment : complex.polygons[p].segments) at_[segment].push_back(p);
-    }
-  }
+      : input_(input),
+        complex_(complex),
+        groups_(complex.polygons.size()),
+        uses_(segment_uses(complex)) {}
 
   JoinedPolygons result() {
-    for (const auto& [segment, polygons] : at_) unite_at(polygons);
+    all_segments(uses_, [this](std::span<const SegmentUse> at_one) {
+      return all_in_one_plane(complex_, at_one, [this](std::size_t p, std::size_t q) {
+        groups_.unite(p, q);
+        return true;
+      });
+    });
     const std::vector<Simplex> listed = listed_segments(input_);
     std::set<Simplex> removed;
-    for (const auto& [segment, polygons] : at_) {
-      const bool is_inner = polygons.size() == 2 &&
-                            groups_.find(polygons[0]) == groups_.find(polygons[1]) &&
-                            !std::binary_search(listed.begin(), listed.end(), segment);
-      if (is_inner) removed.insert(segment);
-    }
+    all_segments(uses_, [&](std::span<const SegmentUse> at_one) {
+      if (at_one.size() != 2) return true;
+      if (groups_.find(at_one[0].polygon) != groups_.find(at_one[1].polygon)) return true;
+      const Simplex segment(at_one[0].ends.begin(), at_one[0].ends.end());
+      const bool is_listed = std::binary_search(listed.begin(), listed.end(), segment);
+      if (!is_listed) removed.insert(segment);
+      return true;
+    });
     std::map<std::size_t, std::size_t> place;  // of each group
     JoinedPolygons joined{input_, complex_, {}, removed.size()};
     for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
@@ -131,17 +186,6 @@ class JoiningOfPolygons {
   }
 
  private:
-  void unite_at(const std::vector<std::size_t>& polygons) {
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-      for (std::size_t j = i + 1; j < polygons.size(); ++j) {
-        const bool belong_together =
-            lie_in_one_plane(complex_.points.configuration(), complex_.polygons[polygons[i]],
-                             complex_.polygons[polygons[j]]);
-        if (belong_together) groups_.unite(polygons[i], polygons[j]);
-      }
-    }
-  }
-
   void add_polygon(const std::vector<std::size_t>& members, const std::set<Simplex>& removed,
                    JoinedPolygons& joined) const {
     if (members.size() == 1) {
@@ -187,7 +231,7 @@ class JoiningOfPolygons {
   const PiecewiseLinearInput& input_;
   const PiecewiseLinearComplex& complex_;
   DisjointSets groups_;
-  std::map<Simplex, std::vector<std::size_t>> at_;  // the polygons that have a segment
+  std::vector<SegmentUse> uses_;
 };
 
 }  // namespace
@@ -202,6 +246,14 @@ std::vector<Simplex> listed_segments(const PiecewiseLinearInput& input) {
   }
   sort_each_once(listed);
   return listed;
+}
+
+bool share_segments_in_one_plane(const PiecewiseLinearComplex& complex) {
+  const std::vector<SegmentUse> uses = segment_uses(complex);
+  const auto never = [](std::size_t, std::size_t) { return false; };
+  return !all_segments(uses, [&](std::span<const SegmentUse> at_one) {
+    return all_in_one_plane(complex, at_one, never);
+  });
 }
 
 JoinedPolygons coplanar_polygons_joined(const PiecewiseLinearInput& input,

@@ -29,6 +29,9 @@ struct JoinedPolygons {
 JoinedPolygons coplanar_polygons_joined(const PiecewiseLinearInput& input,
                                         const PiecewiseLinearComplex& complex);
 
+// Do two polygons belong together? Much faster than to join them.
+bool share_segments_in_one_plane(const PiecewiseLinearComplex& complex);
+
 // The segments that somebody lists as segments, not only as edges of outlines: ascending pairs,
 // each once, in lexicographic order.
 std::vector<Simplex> listed_segments(const PiecewiseLinearInput& input);

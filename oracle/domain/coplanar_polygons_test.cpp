@@ -122,6 +122,8 @@ JoinedPolygons joined(const PiecewiseLinearInput& input) {
   const auto complex = validated(input);
   REQUIRE(complex);
   const JoinedPolygons result = coplanar_polygons_joined(input, *complex);
+  CHECK(share_segments_in_one_plane(*complex) ==
+        (result.members.size() < complex->polygons.size()));
   // What somebody would have handed in is valid, and is the same complex but for the triangles.
   const auto again = validated(result.input);
   REQUIRE(again);

@@ -74,11 +74,21 @@ std::optional<std::vector<Place>> in_order(const PointsOfDoubles& points) {
   return places;
 }
 
+bool are_one_list(const PointsOfDoubles& a, const PointsOfDoubles& b) {
+  const auto are_equal = [](const Rows<double>& one, const Rows<double>& other) {
+    const auto values = one.values(), others = other.values();
+    return one.columns() == other.columns() &&
+           std::equal(values.begin(), values.end(), others.begin(), others.end());
+  };
+  return are_equal(a.coordinates, b.coordinates) && are_equal(a.weights, b.weights);
+}
+
 // For each point of a the one of b that it is, or −1; what has no other goes to `result`.
 // None if two points of one mesh have the same coordinates.
 std::optional<std::vector<Vertex>> matched(const PointsOfDoubles& a, const PointsOfDoubles& b,
                                            Difference& result) {
-  const auto places_of_a = in_order(a), places_of_b = in_order(b);
+  const auto places_of_a = in_order(a);
+  const auto places_of_b = are_one_list(a, b) ? places_of_a : in_order(b);
   if (!places_of_a || !places_of_b) return std::nullopt;
   std::vector<Vertex> place_in_b(places_of_a->size(), -1);
   auto of_a = places_of_a->begin();

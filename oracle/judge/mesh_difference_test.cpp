@@ -59,7 +59,7 @@ TEST_CASE("random meshes: points in any order, weighted or not, of either dimens
 }
 
 // Cells that both meshes list equally often are left out before.
-TEST_CASE("random meshes of cells: some listed again, some missing, in another order, with faces") {
+TEST_CASE("random meshes of cells: some listed again, some missing, in any order, with faces") {
   std::mt19937 random(12);
   const auto below = [&random](std::size_t n) { return random() % n; };
   std::size_t same = 0;
@@ -89,7 +89,7 @@ TEST_CASE("random meshes of cells: some listed again, some missing, in another o
       }
       std::shuffle(cell.begin(), cell.end(), random);
     }
-    std::shuffle(moved.begin(), moved.end(), random);
+    if (below(2) == 0) std::shuffle(moved.begin(), moved.end(), random);
     if (!moved.empty() && below(3) == 0) moved.pop_back();
     if (!moved.empty() && below(3) == 0) moved.push_back(moved[below(moved.size())]);
     if (below(6) == 0) others.back()[0] += 1;

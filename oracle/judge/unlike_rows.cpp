@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 
 #include "kernel/complex/vertex_sets.hpp"
@@ -10,18 +11,69 @@
 namespace circumspect::check {
 namespace {
 
-// The simplices of a mesh as sets of the points of one of the two; those that name none of them
-// stay apart.
+// The rows of a mesh as sets of points of one of the two; a vertex that is none of these is
+// negative.
 template <std::size_t kSize, class List, class Image>
-VertexSets<kSize> sets_of(const List& rows, std::size_t points, const Image& image,
+class RowSets {
+ public:
+  using Set = typename VertexSets<kSize>::Set;
+
+  RowSets(const List& rows, const Image& image) : rows_(rows), image_(image) {}
+
+  std::size_t size() const { return rows_.rows(); }
+  Set operator[](std::size_t i) const {
+    Set set;
+    const auto row = rows_.row(i);
+    for (std::size_t k = 0; k < kSize; ++k) set[k] = image_(static_cast<Vertex>(row[k]));
+    return set;
+  }
+
+ private:
+  const List& rows_;
+  const Image& image_;
+};
+
+template <class Set>
+bool is_whole(const Set& set) {
+  return std::all_of(set.begin(), set.end(), [](std::int32_t v) { return v >= 0; });
+}
+
+// Do they have the same vertices, in any order?
+template <class Set>
+bool are_alike(Set a, Set b) {
+  if (a == b) return true;
+  const auto sum = [](const Set& set) { return std::reduce(set.begin(), set.end(), Vertex{0}); };
+  if (sum(a) != sum(b)) return false;
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
+}
+
+// Rows that both meshes list in the same place: all of them, but where they are few.
+template <class SetsOfA, class SetsOfB>
+std::vector<bool> rows_alike(const SetsOfA& a, const SetsOfB& b) {
+  constexpr std::size_t kSome = 4096;
+  std::vector<bool> alike(std::max(a.size(), b.size()), false);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    if (i % kSome == 0 && found < i / 4) break;  // sorting is faster
+    const auto of_a = a[i];
+    alike[i] = is_whole(of_a) && are_alike(of_a, b[i]);
+    found += alike[i] ? 1 : 0;
+  }
+  return alike;
+}
+
+// The sets of the other rows; those that name no point of the mesh stay apart.
+template <std::size_t kSize, class Sets>
+VertexSets<kSize> sets_of(const Sets& sets, const std::vector<bool>& alike, std::size_t points,
                           std::vector<std::size_t>& apart) {
   return VertexSets<kSize>(points, [&](const auto& visit) {
     apart.clear();
-    for (std::size_t i = 0; i < rows.rows(); ++i) {
-      typename VertexSets<kSize>::Set set;
-      const auto row = rows.row(i);
-      for (std::size_t k = 0; k < kSize; ++k) set[k] = image(static_cast<Vertex>(row[k]));
-      if (std::all_of(set.begin(), set.end(), [](std::int32_t v) { return v >= 0; })) {
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      if (alike[i]) continue;
+      const auto set = sets[i];
+      if (is_whole(set)) {
         visit(set, static_cast<std::int32_t>(i));
       } else {
         apart.push_back(i);
@@ -55,6 +107,29 @@ void compare(const VertexSets<kSize>& a, const VertexSets<kSize>& b, UnlikeRows&
   }
 }
 
+// Adds the rows in the same place that are like others which one mesh has more often.
+template <class SetsOfA, class SetsOfB>
+void add_alike(const SetsOfA& a, const SetsOfB& b, const std::vector<bool>& alike,
+               UnlikeRows& unlike) {
+  std::vector<typename SetsOfB::Set> unlike_sets;
+  const auto take = [&](auto set) {
+    std::sort(set.begin(), set.end());
+    if (set.front() >= 0) unlike_sets.push_back(set);
+  };
+  for (const std::size_t i : unlike.of_a) take(a[i]);
+  for (const std::size_t i : unlike.of_b) take(b[i]);
+  if (unlike_sets.empty()) return;
+  std::sort(unlike_sets.begin(), unlike_sets.end());
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    if (!alike[i]) continue;
+    auto set = b[i];
+    std::sort(set.begin(), set.end());
+    if (!std::binary_search(unlike_sets.begin(), unlike_sets.end(), set)) continue;
+    unlike.of_a.push_back(i);
+    unlike.of_b.push_back(i);
+  }
+}
+
 template <std::size_t kSize, class RowsOfA, class RowsOfB>
 UnlikeRows unlike_of(const RowsOfA& a, const RowsOfB& b, const std::vector<Vertex>& place_in_b,
                      std::size_t points_of_b) {
@@ -65,10 +140,14 @@ UnlikeRows unlike_of(const RowsOfA& a, const RowsOfB& b, const std::vector<Verte
   const auto own = [&](Vertex v) -> std::int32_t {
     return v >= 0 && static_cast<std::size_t>(v) < points_of_b ? static_cast<std::int32_t>(v) : -1;
   };
+  const RowSets<kSize, RowsOfA, decltype(image)> sets_of_a(a, image);
+  const RowSets<kSize, RowsOfB, decltype(own)> sets_of_b(b, own);
+  const std::vector<bool> alike = rows_alike(sets_of_a, sets_of_b);
   UnlikeRows unlike;
-  const auto of_a = sets_of<kSize>(a, points_of_b, image, unlike.of_a);
-  const auto of_b = sets_of<kSize>(b, points_of_b, own, unlike.of_b);
+  const auto of_a = sets_of<kSize>(sets_of_a, alike, points_of_b, unlike.of_a);
+  const auto of_b = sets_of<kSize>(sets_of_b, alike, points_of_b, unlike.of_b);
   compare<kSize>(of_a, of_b, unlike);
+  add_alike(sets_of_a, sets_of_b, alike, unlike);
   std::sort(unlike.of_a.begin(), unlike.of_a.end());
   std::sort(unlike.of_b.begin(), unlike.of_b.end());
   return unlike;

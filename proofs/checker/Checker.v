@@ -28,6 +28,8 @@ Inductive condition :=
   | summit_inside | cone_shown | point_in_plane | weight_unseen
   (* surfaces/SurfaceChecker.v *)
   | edge_listed | edges_increasing | edge_delaunay
+  (* periodic/PeriodicChecker.v *)
+  | lattice_proper
   (* existence/ImpossibleChecker.v *)
   | vertices_listed | mesh_of_the_domain | fate_shown | reason_shown | clauses_refuted.
 

@@ -247,32 +247,44 @@ Proof.
 Qed.
 
 (** No two cells overlap, if the sample point [o] is in the cell [t0] and in no other closed cell,
-    and no segment that ends in [t0] leaves the mesh. *)
-Theorem cells_disjoint (dec : forall a b : T, {a = b} + {a <> b}) o t0 : In t0 tets ->
-  in_cell t0 o ->
+    and no segment that ends in [t0] leaves the mesh.  (Segments may be kept to where given affine
+    functions are positive.) *)
+Theorem cells_disjoint (dec : forall a b : T, {a = b} + {a <> b}) o t0 (K : list (point d -> R)) :
+  In t0 tets -> in_cell t0 o ->
   (forall t, In t tets -> t <> t0 -> exists i, In i (idx t) /\ wall t i o < 0) ->
-  (forall x y t i s, In t tets -> in_cell t0 y -> passes x y t i s -> exists u j, adj t i u j) ->
-  forall t1 t2 y, In t1 tets -> In t2 tets -> in_cell t1 y -> in_cell t2 y -> t1 = t2.
+  (forall x y t i s, (forall g, In g K -> 0 < g x /\ 0 < g y) -> In t tets -> in_cell t0 y ->
+     passes x y t i s -> exists u j, adj t i u j) ->
+  forall t1 t2 y, (forall g, In g K -> affine g /\ 0 < g o /\ 0 < g y) ->
+    In t1 tets -> In t2 tets -> in_cell t1 y -> in_cell t2 y -> t1 = t2.
 Proof.
-  intros Ht0 O0 Out Open t1 t2 y H1 H2 Y1 Y2. destruct (dec t1 t2) as [|N]; [assumption|exfalso].
+  intros Ht0 O0 Out Open t1 t2 y HK H1 H2 Y1 Y2.
+  destruct (dec t1 t2) as [|N]; [assumption|exfalso].
   destruct (outside_functions o (fun t => t <> t0)) as (G & G1 & G2).
   { intros t. destruct (dec t t0); [right; intros X; now apply X|now left]. }
   { assumption. }
-  destruct (pick_generic (cell_functions t0 ++ G) o []) as (z & Z1 & Z2 & _).
+  destruct (pick_generic (cell_functions t0 ++ K ++ G) o []) as (z & Z1 & Z2 & _).
   { intros x []. }
-  { intros g Hg. apply in_app_or in Hg. destruct Hg; [now apply (cell_functions_in t0)|auto]. }
+  { intros g Hg. apply in_app_or in Hg. destruct Hg as [Hg|Hg]; [now apply (cell_functions_in t0)|].
+    apply in_app_or in Hg. destruct Hg as [Hg|Hg]; [|auto]. destruct (HK g Hg) as (A & P & _).
+    auto. }
   assert (Zin : in_cell t0 z) by (apply cell_functions_out; intros; apply Z1, in_or_app; now left).
-  assert (Zout := G2 z (fun g Hg => Z1 g (in_or_app _ _ _ (or_intror Hg)))).
-  destruct (pick_generic (cell_functions t1 ++ cell_functions t2) y [z]) as (y' & W1 & W2 & W3).
+  assert (Zout := G2 z (fun g Hg => Z1 g (in_or_app _ _ _ (or_intror (in_or_app _ _ _
+    (or_intror Hg)))))).
+  destruct (pick_generic (cell_functions t1 ++ cell_functions t2 ++ K) y [z])
+    as (y' & W1 & W2 & W3).
   { intros x [<-|[]]; assumption. }
-  { intros g Hg. apply in_app_or in Hg.
-    destruct Hg as [Hg|Hg]; [apply (cell_functions_in t1)|apply (cell_functions_in t2)]; auto. }
+  { intros g Hg. apply in_app_or in Hg. destruct Hg as [Hg|Hg]; [now apply (cell_functions_in t1)|].
+    apply in_app_or in Hg. destruct Hg as [Hg|Hg]; [now apply (cell_functions_in t2)|].
+    destruct (HK g Hg) as (A & _ & P). auto. }
   assert (Gyz : generic_pair y' z) by (apply generic_pair_sym, W3; now left).
-  destruct (walk_two (generic_segment_cells y' z Z2 Gyz (fun t i s Ht => Open y' z t i s Ht Zin)))
+  assert (Kept : forall g, In g K -> 0 < g y' /\ 0 < g z).
+  { intros g Hg. split; [apply W1|apply Z1]; apply in_or_app; right; apply in_or_app; auto. }
+  destruct (walk_two (generic_segment_cells y' z Z2 Gyz
+      (fun t i s Ht => Open y' z t i s Kept Ht Zin)))
     with (t1 := t1) (t2 := t2) as (a & b & Ia & Ib & Nab & Pa & Pb); auto.
   - intros a i b j u k Ia Ib Ii Ij. apply (wall_once _ _ _ _ cells a i b j u k); auto.
   - apply cell_functions_out; intros; apply W1, in_or_app; now left.
-  - apply cell_functions_out; intros; apply W1, in_or_app; now right.
+  - apply cell_functions_out; intros; apply W1, in_or_app; right; apply in_or_app; now left.
   - assert (a <> t0 \/ b <> t0) as [Na|Nb] by (destruct (dec a t0); [right|left]; congruence).
     + destruct (Zout a Ia Na) as (i & Ii & Hi). specialize (Pa i Ii). cbn in Pa. lra.
     + destruct (Zout b Ib Nb) as (i & Ii & Hi). specialize (Pb i Ii). cbn in Pb. lra.

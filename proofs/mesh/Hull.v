@@ -317,7 +317,7 @@ Theorem outer_cells_disjoint c1 c2 y : In c1 all_cells -> In c2 all_cells ->
   in_cell cell_walls cell_wall c1 y -> in_cell cell_walls cell_wall c2 y -> c1 = c2.
 Proof.
   destruct O as (H0 & I0 & Out).
-  apply (cells_disjoint mesh_of_cells) with (o := o) (t0 := inl t0).
+  apply (cells_disjoint mesh_of_cells) with (o := o) (t0 := inl t0) (K := []).
   - intros a b. repeat decide equality.
   - now apply in_simplices.
   - intros k Ik. apply in_seq_d in Ik. now apply I0.
@@ -326,7 +326,8 @@ Proof.
       split; [now apply in_seq_d|assumption].
     + exists i. split; [apply in_seq_d, Ic|]. destruct (Nat.eq_dec i i); [|congruence].
       pose proof (sample_inner _ _ _ _ _ _ _ X t i Ic). lra.
-  - intros x z c k s Ic _ (Ik & _). now apply cells_open.
+  - intros x z c k s _ Ic _ (Ik & _). now apply cells_open.
+  - intros g [].
 Qed.
 
 (** ** Conclusion *)

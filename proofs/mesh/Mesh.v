@@ -197,11 +197,13 @@ Theorem mesh_disjoint t u p : In t tets -> In u tets -> inside (geo t) p -> insi
   t = u.
 Proof.
   intros Ht Hu It Iu. destruct once as (Ht0 & O0 & Out).
-  apply (cells_disjoint mesh_cells dec o t0) with (y := p); auto; try now apply in_cell_inside.
+  apply (cells_disjoint mesh_cells dec o t0 []) with (y := p); auto;
+    try now apply in_cell_inside.
   - intros a Ha Na. destruct (Out a Ha Na) as (i & Hi & Neg). exists i.
     split; [now apply in_seq_d|assumption].
-  - intros x y a i s Ha Y. apply in_cell_inside in Y. apply passes_matched; [|assumption].
+  - intros x y a i s _ Ha Y. apply in_cell_inside in Y. apply passes_matched; [|assumption].
     apply (inside_inside_hull t0); [assumption|now apply inside_weaken].
+  - intros g [].
 Qed.
 
 (** In one step of the walk: what the carrier of q is in t, it is in u. *)

@@ -206,6 +206,15 @@ printf '1 0\n0 0 9\n' >dangling.edge
 domain "rejected: another mesh, dangling.edge:2: found a point that the certificate does not list" dangling.node dangling.ele
 rm dangling.edge
 domain "rejected: another mesh, dangling.ele:0: expected a dangling triangle or edge that is not listed" dangling.node dangling.ele
+# What a lattice repeats: offsets are attributes of the simplices, and the line has the lattice.
+certificate=periodic--square.cert
+printf '1 2 0\n7 .5 1\n' >periodic.node
+printf '2 3 6\n0 7 7 7 0 0 1 0 1 1\n1 7 7 7 0 0 1 1 0 1\n' >periodic.ele
+domain "verified: periodic-delaunay, 1 point, 2 triangles; lattice: 2,0,0,2: periodic.node periodic.ele" periodic.node periodic.ele
+sed 's/^0 7 7 7 0 0 1 0/0 7 7 7 0 0 1 1/' periodic.ele >offset.ele
+domain "rejected: another mesh, offset.ele:2: found another attribute 4 of simplex 1" periodic.node offset.ele
+printf '2 3\n0 7 7 7\n1 7 7 7\n' >offset.ele
+domain "rejected: another mesh, offset.ele:2: expected 6 attributes of simplex 1, found 0" periodic.node offset.ele
 certificate=triangle
 domain "rejected: another domain, plane.poly: the certificate is about none" own.node own.ele plane.poly
 certificate=sound--domain-in-space.cert

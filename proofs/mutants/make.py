@@ -20,6 +20,7 @@ import domain_refutations
 import domains
 import impossible
 import lines
+import periodic
 import reduced
 import surfaces
 from honest import certificate, text as mesh_text
@@ -315,7 +316,7 @@ def main():
             domain_refutations.refutations_of_domains(), domain_refutations.refutations_by_the_whole_domain(),
             domain_refutations.refutations_where_something_dangles(), domain_refutations.refutations_of_hulls(),
             domain_refutations.refutations_by_another_mesh(), domain_refutations.refutations_of_dangling_triangles(), impossible.files(), alone.files(),
-            surfaces.files(), lines.files(), reduced.files(), malformed()):
+            surfaces.files(), periodic.files(), lines.files(), reduced.files(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -21,6 +21,7 @@ let condition = function
   | Simplices_parted -> "simplices-parted"
   | Summit_inside -> "summit-inside" | Cone_shown -> "cone-shown"
   | Edge_listed -> "edge-listed" | Edges_increasing -> "edges-increasing" | Edge_delaunay -> "edge-delaunay"
+  | Lattice_proper -> "lattice-proper"
   | Point_in_plane -> "point-in-plane" | Weight_unseen -> "weight-unseen"
   | Vertices_listed -> "vertices-listed" | Mesh_of_the_domain -> "mesh-of-the-domain"
   | Fate_shown -> "fate-shown"
@@ -51,12 +52,13 @@ let kinds = [ "enclosed", Enclosed; "hull", Hull ]
 let complex = "complex"
 let convex_hull = "convex-hull"
 let surface_delaunay = "surface-delaunay"
+let periodic_delaunay = "periodic-delaunay"
 
 (* CLAIM and D of the first line. *)
 let context source claims claim dimension =
   let claimed = match List.assoc_opt claim claims with
     | Some claimed -> claimed
-    | None -> Text.fail source (String.concat " or " (complex :: convex_hull :: surface_delaunay :: List.map fst claims)) (Text.quote claim) in
+    | None -> Text.fail source (String.concat " or " (complex :: convex_hull :: surface_delaunay :: periodic_delaunay :: List.map fst claims)) (Text.quote claim) in
   let space, d = match dimension with
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
@@ -93,7 +95,7 @@ let certificate (c : Reading.context) space claimed standing =
     { Users_mesh.unit = (frame.numerator, frame.denominator); d;
       weighted; labels = Array.of_list labels; ordered = false;
       sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
-      simplices = { count = packed.simplex_count; vertices }; dangling = None }) in
+      simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None }) in
   let verdict () =
     let asked = Option.map (fun word -> fst (List.assoc word standings)) standing in
     match judge space packed asked (Certificate_file.digits_left_out frame) with
@@ -114,7 +116,7 @@ let hull (c : Reading.context) space cones =
   let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d; weighted = false;
                     labels = Array.of_list labels; ordered = false;
                     sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
-                    simplices = { count = packed.simplex_count; vertices }; dangling = None } in
+                    simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None } in
   let verdict () = match judge_hull space packed summit around (Certificate_file.digits_left_out frame) with
     | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | NotSettled _ -> assert false
@@ -133,7 +135,7 @@ let flat (c : Reading.context) name seen =
   let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = 3; weighted = false;
                     labels = Array.of_list labels; ordered = false;
                     sites = Array.map2 site (Array.of_list frame.points) (Array.of_list unseen.unseen);
-                    simplices = { count = packed.simplex_count; vertices }; dangling = None } in
+                    simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None } in
   let verdict () = match judge_flat packed unseen (Certificate_file.digits_left_out frame) with
     | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | NotSettled _ -> assert false
@@ -148,7 +150,7 @@ let line (c : Reading.context) space name =
   let vertices k = List.map Option.some rows.(k) in
   let mesh = lazy { Users_mesh.unit = (certificate.line_numerator, certificate.line_denominator); d = c.d; weighted = false;
                     labels = Array.of_list labels; ordered = false; sites = Array.of_list certificate.line_sites;
-                    simplices = { count = Array.length rows; vertices }; dangling = None } in
+                    simplices = { count = Array.length rows; vertices; attributes = None }; dangling = None } in
   let verdict () = match check_line space certificate with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
@@ -167,7 +169,7 @@ let mesh_alone (c : Reading.context) space =
   let mesh = { Users_mesh.unit = (certificate.complex_numerator, certificate.complex_denominator); d = c.d;
                weighted = false; labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.complex_points));
-               simplices = { count = Array.length cells; vertices }; dangling = None } in
+               simplices = { count = Array.length cells; vertices; attributes = None }; dangling = None } in
   let one, several = match width with
     | 1 -> ("point", "points") | 2 -> ("edge", "edges") | 3 -> ("triangle", "triangles")
     | _ -> ("tetrahedron", "tetrahedra") in
@@ -186,12 +188,35 @@ let surface (c : Reading.context) space =
   let mesh = { Users_mesh.unit = (certificate.surface_numerator, certificate.surface_denominator); d = c.d;
                weighted = false; labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.surface_points));
-               simplices = { count = Array.length triangles; vertices }; dangling = None } in
+               simplices = { count = Array.length triangles; vertices; attributes = None }; dangling = None } in
   let verdict () = match check_surface space certificate with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
       (Printf.sprintf "verified: %s, %s" surface_delaunay (counts 2 (List.length labels) (Array.length triangles)), 0) in
   { mesh = lazy mesh; compare_domain = None; verdict }
+
+(* Cells that a lattice repeats. *)
+let periodic (c : Reading.context) labels m is_right words =
+  let verdict () = match is_right () with
+    | Some rejected -> ("rejected: " ^ rejected, 1)
+    | None ->
+      (Printf.sprintf "verified: %s; lattice: %s" (words (counts c.d (List.length labels) (List.length m.cells)))
+         (Periodic_file.vectors m), 0) in
+  { mesh = lazy (Periodic_file.users_mesh c.d labels m); compare_domain = None; verdict }
+
+let periodic_certificate (c : Reading.context) space =
+  let certificate, labels = Periodic_file.read c in
+  periodic c labels certificate.periodic_mesh_of (fun () -> match check_periodic space certificate with
+      | Accepted -> None
+      | Rejected (why, where) -> Some (condition why ^ place where))
+    (fun counted -> periodic_delaunay ^ ", " ^ counted)
+
+let periodic_refutation (c : Reading.context) space rule =
+  let refutation, labels = Periodic_file.read_refutation c rule in
+  let rule = periodic_rule_name refutation.periodic_because in
+  periodic c labels refutation.periodic_against
+    (fun () -> if refute_periodic space refutation then None else Some ("the evidence does not show " ^ rule))
+    (fun _ -> Printf.sprintf "not %s, %s" periodic_delaunay rule)
 
 let how_many_dangle faces = match List.length faces with
   | 0 -> ""
@@ -364,6 +389,9 @@ let read source =
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = surface_delaunay ->
     let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
     surface c space
+  | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = periodic_delaunay ->
+    let c, (), space = context source [ (periodic_delaunay, ()) ] claim dimension in
+    periodic_certificate c space
   | [ "circumspect-certificate"; "1"; claim; dimension; cones ] when claim = convex_hull ->
     let c, claimed, space = context source claims cones dimension in
     hull c space claimed
@@ -401,6 +429,9 @@ let read source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = surface_delaunay && rule = surface_rule ->
     let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
     surface_refutation c space
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = periodic_delaunay ->
+    let c, (), space = context source [ (periodic_delaunay, ()) ] claim dimension in
+    periodic_refutation c space rule
   | [ "circumspect-refutation"; "2"; ("triangulation" | "delaunay" as claim); dimension; rule; "flat" ] ->
     let c, claimed, space = context source claims claim dimension in
     flat_refutation c space claimed rule

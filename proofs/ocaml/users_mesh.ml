@@ -8,9 +8,12 @@ exception Another of string  (* how the meshes differ *)
 let differs source format =
   Printf.ksprintf (fun what -> raise (Another (Printf.sprintf "%d: %s" source.Text.line what))) format
 
-(* The numbers of the points, none where an entry names no point, by the number of the simplex, from 0. *)
-type simplices = { count : int; vertices : int -> int option list }
-let listed rows = let rows = Array.of_list rows in { count = Array.length rows; vertices = Array.get rows }
+(* The numbers of the points, none where an entry names no point, by the number of the simplex, from 0; and what its attributes are, if
+   these matter. *)
+type simplices = { count : int; vertices : int -> int option list; attributes : (int -> Big.t list) option }
+let listed rows =
+  let rows = Array.of_list rows in
+  { count = Array.length rows; vertices = Array.get rows; attributes = None }
 
 type mesh = {
   unit : Big.t * Big.t;
@@ -88,6 +91,18 @@ let same_entries (found : int array) (expected : int array) =
   let rec from i = i = n || (found.(i) = expected.(i) && from (i + 1)) in
   n = Array.length expected && from 0
 
+(* The attributes of the simplex with this number, from 0. *)
+let compare_attributes ~exactly mesh k source count =
+  match mesh.simplices.attributes with
+  | None -> skip_numbers ~exactly source count
+  | Some attributes ->
+    let expected = if k < mesh.simplices.count then attributes k else [] in
+    if List.length expected <> count then
+      differs source "expected %d attributes of simplex %d, found %d" (List.length expected) (k + 1) count;
+    List.iteri (fun i x ->
+        if not (Q.equal (Q.of_bigint x) (number ~exactly source (Text.token source "an attribute"))) then
+          differs source "found another attribute %d of simplex %d" (i + 1) (k + 1)) expected
+
 (* Gives back the rows that are too short for simplices of the mesh, with their lines: what they list may dangle. *)
 let compare_simplices ~exactly mesh number_of source =
   let header = header source "'SIMPLICES VERTICES [ATTRIBUTES]'" 2 3 in
@@ -102,7 +117,7 @@ let compare_simplices ~exactly mesh number_of source =
         let v = number_of (integer64 source "a vertex") in
         if i < Array.length found then found.(i) <- v
       done;
-      skip_numbers ~exactly source header.(2);
+      compare_attributes ~exactly mesh !k source header.(2);
       if may_dangle then short := (Array.to_list found, source.Text.line) :: !short
       else begin
         if !k >= mesh.simplices.count then differs source "found more simplices than %d" !k;

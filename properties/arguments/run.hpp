@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -41,13 +42,24 @@ constexpr std::size_t points_a_side(std::size_t side) {
 // the templates behind it take RapidCheck's users a quarter of a second a property.
 bool holds(const std::string& description, int successes, const std::function<void()>& property);
 // The same on as many inputs as RapidCheck tries of itself (a hundred), whatever the environment
-// says: for the laws of single functions.
+// says: for the laws of single functions. Both pass over the inputs for which no time is left.
 bool holds(const std::string& description, const std::function<void()>& property);
 bool holds(const std::function<void()>& property);
 
 // How many inputs there are for each that is tried: CIRCUMSPECT_ONE_INPUT_IN, and more under the
 // sanitizers.
 int one_input_in();
+
+// Has this program time for another input? A soak gives it seconds (CIRCUMSPECT_SECONDS), counted
+// from its start; elsewhere it has all the time it takes.
+bool has_time();
+// Prints how many inputs were tried ("inputs: 12 of 500") if the program has been given seconds.
+void say_inputs(int tried, int asked);
+
+// Calls `test` with `count` seeds, as long as there is time: those from `first` on, and in a soak
+// others each time, as its RC_PARAMS say. What follows from the number of inputs is to be asked
+// of the number that comes back.
+int try_seeds(std::uint64_t first, int count, const std::function<void(std::uint64_t)>& test);
 
 // Has a kind of input been drawn, often enough for all its inputs, that a property must not do
 // without? The fixed inputs of `make test` have all of them. A soak, which says so in its

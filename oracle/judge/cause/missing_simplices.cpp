@@ -231,6 +231,25 @@ Cause at_holes(const Case& of, const std::string& words, const std::vector<Simpl
   return cause;
 }
 
+// Does the verdict name a facet that nothing covers, and that these would leave so? With them the
+// claim would not hold, either, which would take as long to find out as the verdict did.
+bool leave_uncovered(const Case& of, const std::vector<Simplex>& missing) {
+  // How far the domain's cells have to be moved depends on all simplices.
+  if (of.verdict().within || of.verdict().beyond) return false;
+  std::set<Simplex> facets;
+  for (const Simplex& simplex : missing) {
+    for (std::size_t place = 0; place < simplex.size(); ++place) {
+      facets.insert(sorted(facet_opposite(simplex, place)));
+    }
+  }
+  const std::vector<Violation>& listed = of.verdict().violations();
+  return std::any_of(listed.begin(), listed.end(), [&](const Violation& violation) {
+    const Witness& witness = violation.witness;
+    return violation.rule == Rule::kUncovered && witness.simplices.size() == 1 && witness.face &&
+           !facets.contains(sorted(*witness.face));
+  });
+}
+
 }  // namespace
 
 std::optional<Cause> missing_simplices(Case& of) {
@@ -253,6 +272,7 @@ std::optional<Cause> missing_simplices(Case& of) {
   if (are_closed && of.mesh().simplices.size() > kMostMended) {
     return at_holes(of, words, missing);
   }
+  if (!are_closed && leave_uncovered(of, missing)) return std::nullopt;
   const auto mended = of.mended(with_simplices(of.mesh(), with_more(of.mesh(), missing)));
   // A notch between two facets may be meant, unless nothing else is wrong.
   if (!mended || mended->explains == 0 || (!are_closed && !mended->holds)) return std::nullopt;

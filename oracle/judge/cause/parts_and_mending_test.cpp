@@ -130,6 +130,36 @@ TEST_CASE("causes: what is left when one is mended is counted and not explained"
   CHECK(cause.explains + 2 == cause.of);
 }
 
+// A square is not covered, and a triangle fits into a notch of the domain.
+TEST_CASE("causes: what leaves something uncovered is not judged") {
+  const PiecewiseLinearInput input{
+      {{0, 0}, {8, 0}, {8, 8}, {4, 6}, {0, 8}}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}}, {}, {}};
+  const Domain domain{.complex = assemble(input)};
+  Lists lists{input.points,
+              {{0, 1, 5},
+               {1, 6, 5},
+               {1, 2, 7},
+               {1, 7, 6},
+               {2, 3, 7},
+               {3, 8, 7},
+               {3, 4, 8},
+               {4, 0, 8},
+               {0, 5, 8}}};
+  for (const Point& corner : {Point{3, 2}, Point{5, 2}, Point{5, 4}, Point{3, 4}}) {
+    lists.points.push_back(corner);
+  }
+  const Mesh mesh = in_arrays(lists);
+  std::size_t asked = 0;
+  const auto judged = [&](const Mesh& one) -> std::optional<Verdict> {
+    ++asked;
+    return judge(Claim::kSteinerTriangulation, one, &domain, {}).value();
+  };
+  const auto verdict = judged(mesh);
+  CHECK(verdict->tallies().at(Rule::kUncovered).count == 4);
+  CHECK(causes(*verdict, mesh, judged).found.empty());
+  CHECK(asked == 1);
+}
+
 TEST_CASE("causes: points that no simplex uses") {
   Lists arcs = grid<2>(7);
   arcs.points.push_back({9, 9});  // as the centre of an arc

@@ -56,14 +56,25 @@ inline Mesh in_arrays(const Lists& lists) {
 
 inline std::vector<Cause> causes_of(const Lists& lists, Claim claim, const Options& options = {}) {
   const Mesh mesh = in_arrays(lists);
+  int times = 0;
   const auto judged = [&](const Mesh& one) -> std::optional<Verdict> {
+    ++times;
     auto verdict = judge(claim, one, nullptr, options);
     if (!verdict) return std::nullopt;
     return std::move(*verdict);
   };
   const auto verdict = judged(mesh);
   REQUIRE(verdict.has_value());
-  std::vector<Cause> found = causes(*verdict, mesh, judged).found;
+  Causes said = causes(*verdict, mesh, judged);
+  std::vector<Cause> found = std::move(said.found);
+  CHECK(times <= 2);  // at most one mended mesh is judged
+  const auto is_of_others = [](const Cause& cause) {
+    return cause.name == "points-of-another-mesh";
+  };
+  const bool are_others = std::any_of(found.begin(), found.end(), is_of_others);
+  if (claim != Claim::kComplex && verdict->tallies().contains(Rule::kDegenerateSimplex)) {
+    CHECK(said.as_complex.has_value() != are_others);
+  }
   std::size_t all = 0, of_all = 0;
   for (const auto& [rule, tally] : verdict->tallies()) all += tally.count;
   for (const Cause& cause : found) {
@@ -73,6 +84,11 @@ inline std::vector<Cause> causes_of(const Lists& lists, Claim claim, const Optio
     of_all += cause.explains == all ? 1 : 0;
     const bool says_all = cause.words.find("the claim holds") != std::string::npos;
     if (says_all) CHECK(cause.explains == all);
+    const bool is_about_places = cause.name.find("vert") != std::string::npos ||
+                                 cause.name.find("unused") != std::string::npos;
+    if (are_others) CHECK(!is_about_places);  // they are a consequence
+    const std::size_t left = cause.words.find("all name points, and ");
+    if (left != std::string::npos) CHECK(std::stoul(cause.words.substr(left + 21)) < cause.of);
   }
   CHECK(of_all <= 1);  // what all is wrong has no second cause
   return found;

@@ -2,6 +2,8 @@
 // they are off; those that are farther away are not.
 #include "oracle/judge/cause/uncut.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "oracle/judge/cause/causes.hpp"
@@ -91,6 +93,27 @@ TEST_CASE("causes: a vertex in space that was rounded away from an edge, or from
   CHECK(found[0].face == Simplex{0, 1, 2});
   CHECK(found[0].squared_distance == kOff * kOff);
   CHECK(causes_of_complex(on_triangle)[0].name == "hanging-vertices-rounded");
+}
+
+TEST_CASE("causes: beside a triangle is what is above the inside of it, however it is listed") {
+  for (const auto& [x, y] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {3, 3}, {1, 0}, {0, 1}, {2, 2}}) {
+    Simplex corners = {0, 1, 2};
+    do {
+      std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+      points = {points[static_cast<std::size_t>(corners[0])],
+                points[static_cast<std::size_t>(corners[1])],
+                points[static_cast<std::size_t>(corners[2])],
+                {x, y, kOff},
+                {1, 1, -2},
+                {1, 1, 3}};
+      const Mesh mesh = mesh_of(points, {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
+      const std::vector<Uncut> found = found_in(mesh);
+      const bool is_beside = std::any_of(found.begin(), found.end(), [](const Uncut& one) {
+        return one.vertex == 3 && one.face == Simplex{0, 1, 2};
+      });
+      CHECK(is_beside == (x > 0 && y > 0 && x + y < 4));
+    } while (std::next_permutation(corners.begin(), corners.end()));
+  }
 }
 
 }  // namespace circumspect::check

@@ -15,12 +15,35 @@ namespace circumspect::check {
 
 namespace {
 
+// Where points are that follow each other closely: if no wall is between a point and the one before
+// it, both are in one region.
+class PointsInTurn {
+ public:
+  explicit PointsInTurn(const Regions& regions) : regions_(regions) {}
+
+  bool is_out(const Point& point) {
+    if (!before_ || !nothing_between(*before_, point)) where_ = regions_.locate(point);
+    before_ = point;
+    return where_ == Where::kOutside || where_ == Where::kHole;
+  }
+
+ private:
+  bool nothing_between(const Point& from, const Point& to) const {
+    const auto crossed = regions_.walls().crossings(from, to);
+    return crossed && crossed->empty();
+  }
+
+  const Regions& regions_;
+  std::optional<Point> before_;
+  Where where_ = Where::kOnWall;
+};
+
 // Where a simplex or its loose facet leaves the domain, by the barycentre; nothing if neither does.
-std::optional<Point> point_outside(const MeshedDomain& in, const FacetUse& use) {
-  const auto is_out = [](Where where) { return where == Where::kOutside || where == Where::kHole; };
+std::optional<Point> point_outside(const MeshedDomain& in, const FacetUse& use,
+                                   PointsInTurn& points) {
   for (const Simplex& cell : {in.mesh.simplices[use.simplex], use.facet}) {
     Point middle = barycentre(coordinates(in.mesh.points, cell));
-    if (is_out(in.regions.locate(middle))) return middle;
+    if (points.is_out(middle)) return middle;
   }
   return std::nullopt;
 }
@@ -130,8 +153,9 @@ class LooseFacets {
 void judge_loose_facets(const MeshedDomain& in, const std::vector<FacetUse>& loose,
                         OutsideSimplices& outside, Verdict& verdict) {
   std::vector<FacetUse> inside;
+  PointsInTurn points(in.regions);
   for (const FacetUse& use : loose) {
-    if (const auto middle = point_outside(in, use)) {
+    if (const auto middle = point_outside(in, use, points)) {
       outside.add(use.simplex, {.face = use.facet, .point = middle}, verdict);
     } else {
       inside.push_back(use);

@@ -32,10 +32,8 @@ void check_outside(std::size_t count, const ExactMesh& mesh, const Domain& domai
   CHECK(verdict.tallies().at(Rule::kOutside).count == count);
 }
 
-}  // namespace
-
-TEST_CASE("domain.outside: a filled hole counts with all its simplices, not with its walls") {
-  // A ring of eight squares, and the ninth in a grid of its own, whose middle touches no wall.
+// A square with a square hole.
+Domain ring_around_hole() {
   const PiecewiseLinearInput outer = cuboid({0, 0}, {12, 12}), inner = cuboid({4, 4}, {8, 8});
   PiecewiseLinearInput ring = outer;
   const auto first = static_cast<Vertex>(ring.points.size());
@@ -44,8 +42,34 @@ TEST_CASE("domain.outside: a filled hole counts with all its simplices, not with
     ring.segments.push_back({segment[0] + first, segment[1] + first});
   }
   ring.hole_seeds = {{6, 6}};
+  return domain_of(ring);
+}
+
+}  // namespace
+
+TEST_CASE("domain.outside: a filled hole counts with all its simplices, not with its walls") {
+  // A ring of eight squares, and the ninth in a grid of its own, whose middle touches no wall.
   const std::vector<int> lines = {0, 4, 5, 7, 8, 12};
-  check_outside(18, grid(lines, lines, {0}, every_cell), domain_of(ring));
+  check_outside(18, grid(lines, lines, {0}, every_cell), ring_around_hole());
+}
+
+TEST_CASE("domain.outside: facets next to nothing, some of them in a hole") {
+  const std::vector<int> lines = {0, 1, 2, 4, 5, 7, 8, 12};
+  ExactMesh mesh = grid(lines, lines, {0}, every_cell);
+  // Two triangles are missing that touch no wall.
+  for (const Point& centre : {Point{Rational(3, 2), Rational(3, 2)}, Point{6, 6}}) {
+    const auto touches = [&](const Simplex& simplex) {
+      const auto corners = coordinates(mesh.points, simplex);
+      return std::all_of(corners.begin(), corners.end(), [&](const Point& corner) {
+        return abs(corner[0] - centre[0]) <= 1 && abs(corner[1] - centre[1]) <= 1;
+      });
+    };
+    mesh.simplices.erase(std::find_if(mesh.simplices.begin(), mesh.simplices.end(), touches));
+  }
+  check_outside(17, mesh, ring_around_hole());
+  const Domain domain = ring_around_hole();
+  const Verdict verdict = judge_exactly(Claim::kSteinerTriangulation, mesh, &domain);
+  CHECK(verdict.tallies().at(Rule::kUncovered).count == 3);
 }
 
 TEST_CASE("domain.outside: what stands on a wall of a cube, counted once for several facets") {

@@ -40,11 +40,9 @@ class SubmergedPoints {
       const int own = orientations_.of(place);
       const int side = ball_of<kDimension, true>(row).contains(site, swept.stages) * own;
       if (side > 0) return Undecided::kPointBelowPlane;
-      if (side < 0) continue;
-      swept.unique = false;
-      if (swept.canonical) {
-        swept.canonical = perturbed_sign_of_zero<kDimension>(row, own, site, swept.stages) < 0;
-      }
+      // A tie: another triangulation has the point for a vertex. The canonical one does not, since
+      // of the vertices whose hull has the point in its interior the least comes before it.
+      if (side == 0) swept.unique = false;
     }
     return std::nullopt;
   }

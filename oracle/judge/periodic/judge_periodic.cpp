@@ -8,10 +8,10 @@
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/definition/periodic_delaunay.hpp"
-#include "oracle/judge/periodic/periodic_facets.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
+#include "oracle/model/periodic_facets.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -8,7 +8,7 @@
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
-#include "oracle/judge/periodic/periodic_facets.hpp"
+#include "oracle/model/periodic_facets.hpp"
 
 namespace circumspect::check {
 namespace {

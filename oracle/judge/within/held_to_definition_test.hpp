@@ -17,6 +17,7 @@
 #include "oracle/judge/within/moved_meshes_test.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
 
@@ -218,19 +219,21 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   if (!found) CHECK(!verdict->holds());
 }
 
-// So many random cases.
-inline void hold_equal_to_definition(std::size_t dimension, unsigned long first,
-                                     unsigned long cases) {
+// So many random cases, each on its own seed.
+inline void hold_equal_to_definition(std::size_t dimension, unsigned long first, int cases) {
   Counts counts;
-  for (unsigned long seed = first; seed < first + cases; ++seed) {
-    hold_equal(seed, dimension, counts);
-  }
+  const int tried = properties::try_seeds(
+      first, cases, [&](std::uint64_t seed) { hold_equal(seed, dimension, counts); });
   MESSAGE("dimension " << dimension << ": found " << counts.found << " moved " << counts.moved
                        << " holds " << counts.holds << " none " << counts.none << " not judged "
                        << counts.not_judged);
-  CHECK(counts.moved > static_cast<int>(cases) / 5);
-  CHECK(counts.holds > static_cast<int>(cases) / 10);
-  CHECK(counts.none > 0);
+  const auto occurs = [](int often, int at_least) {
+    return properties::occurs(static_cast<std::size_t>(often),
+                              static_cast<std::size_t>(at_least * properties::one_input_in()));
+  };
+  CHECK(occurs(counts.moved, tried / 5));
+  CHECK(occurs(counts.holds, tried / 10));
+  CHECK(occurs(counts.none, 1));
 }
 
 }  // namespace circumspect::check

@@ -107,6 +107,9 @@ TEST_CASE("what folds back is not joined, and other cells bar it or limit the di
       nearly_coplanar_polygons_joined(valid(folded), listed_segments(folded), flatness(3));
   CHECK(joined.complex.polygons.size() == 2);
   CHECK(joined.refused == 1);
+  folded.points[3] = {1, 0, 3 * kBit};  // over a vertex of it
+  joined = nearly_coplanar_polygons_joined(valid(folded), listed_segments(folded), flatness(3));
+  CHECK(joined.refused == 1);
 
   PiecewiseLinearInput near = bent_square(3);
   near.points.push_back({Rational(1, 2), Rational(1, 4), 20 * kBit});

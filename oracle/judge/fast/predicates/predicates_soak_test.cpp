@@ -1,9 +1,11 @@
 // Law F1 of oracle/judge/fast/predicates/predicates.hpp on a million tuples of every family of
 // inputs and every kind of hard tuple, in the plane and in space.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <random>
 #include <string>
 
@@ -14,14 +16,18 @@
 #include "kernel/complex/circumball.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/predicates/tuples_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 namespace {
 
-// CIRCUMSPECT_TUPLES=10000, a hundredth of the tuples, takes seconds.
-int tuples_each() {
+constexpr int kTuplesOfSet = 1000;
+
+// So many sets of every family and kind. CIRCUMSPECT_TUPLES=10000, a hundredth of the tuples,
+// takes seconds.
+int sets_each() {
   const char* const given = std::getenv("CIRCUMSPECT_TUPLES");
-  return given == nullptr ? 1000000 : std::atoi(given);
+  return (given == nullptr ? 1'000'000 : std::atoi(given)) / kTuplesOfSet;
 }
 
 int test_orientation(const std::vector<Site<2>>& sites, const Vertices& t,
@@ -76,66 +82,71 @@ void print(const std::string& what, std::size_t dimension, const Stages& stages)
             << stages.wide << ", unbounded " << stages.unbounded << std::endl;
 }
 
+// One set of a family; nothing if it has too few points.
 template <std::size_t kDimension>
-void hold_family(const generators::Family& family, std::mt19937_64& weights) {
+void hold_family(const generators::Family& family, std::uint64_t seed, Stages& stages) {
   if (!family.exists_in(kDimension)) return;
   CAPTURE(family.name);
-  constexpr int kTuplesOfSet = 1000;
-  Stages stages;
-  for (int done = 0, seed = 1; done < tuples_each() && seed < 2 * tuples_each(); ++seed) {
-    CAPTURE(seed);
-    const generators::PointsCase set = generators::in_doubles(
-        generators::drawn(family, kDimension, {40, true}, static_cast<std::uint64_t>(seed)));
-    if (set.points.size() < kDimension + 2) continue;
-    std::vector<Site<kDimension>> sites(set.points.size());
-    for (std::size_t v = 0; v < sites.size(); ++v) {
-      double squares = 0;
-      for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        sites[v].at[axis] = set.points[v][axis].get_d();  // exact: it is a double
-        squares += sites[v].at[axis] * sites[v].at[axis];
-      }
-      if (!set.weights.empty()) {
-        sites[v].weight = set.weights[v].get_d();
-      } else if (std::isfinite(squares) && weights() % 2 == 0) {
-        sites[v].weight = squares;
-      }
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  const generators::PointsCase set =
+      generators::in_doubles(generators::drawn(family, kDimension, {40, true}, seed));
+  if (set.points.size() < kDimension + 2) return;
+  std::vector<Site<kDimension>> sites(set.points.size());
+  for (std::size_t v = 0; v < sites.size(); ++v) {
+    double squares = 0;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      sites[v].at[axis] = set.points[v][axis].get_d();  // exact: it is a double
+      squares += sites[v].at[axis] * sites[v].at[axis];
     }
-    hold_to_reference(sites, kTuplesOfSet, static_cast<std::uint64_t>(seed), stages);
-    done += kTuplesOfSet;
+    if (!set.weights.empty()) {
+      sites[v].weight = set.weights[v].get_d();
+    } else if (std::isfinite(squares) && random() % 2 == 0) {
+      sites[v].weight = squares;
+    }
   }
-  print(family.name, kDimension, stages);
+  hold_to_reference(sites, kTuplesOfSet, seed, stages);
 }
 
 TEST_CASE("F1: on a million tuples of every family the signs are those of the reference") {
-  std::mt19937_64 weights(1);
-  for (const generators::Family& family : generators::families()) {
-    hold_family<2>(family, weights);
-    hold_family<3>(family, weights);
-  }
-  for (const generators::FamilyModifier& modifier : generators::family_modifiers()) {
-    hold_family<3>(*generators::find_family("sphere+" + modifier.name), weights);
-  }
+  std::map<std::string, Stages> plane, space;
+  properties::try_seeds(1, sets_each(), [&](std::uint64_t seed) {
+    for (const generators::Family& family : generators::families()) {
+      hold_family<2>(family, seed, plane[family.name]);
+      hold_family<3>(family, seed, space[family.name]);
+    }
+    for (const generators::FamilyModifier& modifier : generators::family_modifiers()) {
+      const std::string name = "sphere+" + modifier.name;
+      hold_family<3>(*generators::find_family(name), seed, space[name]);
+    }
+  });
+  for (const auto& [name, stages] : plane) print(name, 2, stages);
+  for (const auto& [name, stages] : space) print(name, 3, stages);
 }
 
 template <std::size_t kDimension>
-void hold_kind(int kind) {
+void hold_kind(int kind, std::uint64_t seed, Stages& stages) {
   CAPTURE(kind);
-  constexpr int kSites = 20, kTuplesOfSet = 500;
-  Tuples tuples(static_cast<std::uint64_t>(kind) + 100);
-  Stages stages;
-  for (int done = 0; done < tuples_each(); done += kTuplesOfSet) {
-    CAPTURE(done);
-    const auto drawn = tuples.draw<kDimension, kSites>(static_cast<Kind>(kind));
-    hold_to_reference(std::vector<Site<kDimension>>(drawn.begin(), drawn.end()), kTuplesOfSet,
-                      static_cast<std::uint64_t>(done), stages);
-  }
-  print("kind " + std::to_string(kind), kDimension, stages);
+  CAPTURE(seed);
+  constexpr int kSites = 20;
+  const auto drawn = Tuples(seed + static_cast<std::uint64_t>(kind) * 1'000'000)
+                         .draw<kDimension, kSites>(static_cast<Kind>(kind));
+  hold_to_reference(std::vector<Site<kDimension>>(drawn.begin(), drawn.end()), kTuplesOfSet, seed,
+                    stages);
 }
 
 TEST_CASE("F1: on a million tuples of every hard kind the signs are those of the reference") {
-  for (int kind = 0; kind <= static_cast<int>(Kind::kLast); ++kind) {
-    hold_kind<2>(kind);
-    hold_kind<3>(kind);
+  constexpr int kKinds = static_cast<int>(Kind::kLast) + 1;
+  std::array<Stages, kKinds> plane, space;
+  properties::try_seeds(100, sets_each(), [&](std::uint64_t seed) {
+    for (int kind = 0; kind < kKinds; ++kind) {
+      hold_kind<2>(kind, seed, plane[static_cast<std::size_t>(kind)]);
+      hold_kind<3>(kind, seed, space[static_cast<std::size_t>(kind)]);
+    }
+  });
+  for (int kind = 0; kind < kKinds; ++kind) {
+    print("kind " + std::to_string(kind), 2, plane[static_cast<std::size_t>(kind)]);
+    print("kind " + std::to_string(kind), 3, space[static_cast<std::size_t>(kind)]);
   }
 }
 

@@ -1,9 +1,9 @@
-#include "oracle/judge/periodic/periodic_facets.hpp"
+#include "oracle/model/periodic_facets.hpp"
 
 #include <algorithm>
 #include <tuple>
 
-namespace circumspect::check {
+namespace circumspect {
 
 Simplex sum(const Simplex& a, const Simplex& b) {
   Simplex all = a;
@@ -36,4 +36,4 @@ std::vector<FacetPlace> facet_places(const std::vector<PeriodicCell>& cells) {
   return places;
 }
 
-}  // namespace circumspect::check
+}  // namespace circumspect

@@ -6,7 +6,7 @@
 
 #include "oracle/model/periodic.hpp"
 
-namespace circumspect::check {
+namespace circumspect {
 
 // A listed point and the multiples of the vectors by which it is moved.
 struct MovedPoint {
@@ -32,4 +32,4 @@ struct FacetPlace {
 // Requires: cells of two corners or more, no two of them the same.
 std::vector<FacetPlace> facet_places(const std::vector<PeriodicCell>& cells);
 
-}  // namespace circumspect::check
+}  // namespace circumspect
