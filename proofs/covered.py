@@ -3,7 +3,7 @@
 
     proofs/covered.py CIRCUMSPECT CIRCUMSPECT_VERIFIED
 
-Left out are rows about how simplices are listed or what is demanded beyond a claim (--neighbors, --oriented, --require ..). It
+Left out are rows about how simplices are listed or what is demanded beyond a claim (--neighbors, --oriented, --structure ..). It
 prints how many rows of each claim have a verified certificate or refutation, and why the others have none. Exit code 1: a row is
 verified to be what check says it is not, or certify writes a file that is not verified.
 """
@@ -17,7 +17,7 @@ import tempfile
 
 CORPUS = pathlib.Path(__file__).resolve().parent.parent / "corpus"
 OF_LISTS = ("--neighbors", "--oriented", "--require", "--manifold", "--connected", "--closed", "--faces", "--allow", "--only-extreme",
-            "--all-boundary-points")
+            "--all-boundary-points", "--structure")
 
 
 def rows():

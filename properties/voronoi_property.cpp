@@ -150,7 +150,11 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     const bool has_structure = dice.below(2) == 0;
     if (has_structure && dice.below(2) == 0) list_again(dice, diagram);
     for (std::size_t i = 0; i < faults; ++i) {
-      has_structure&& dice.below(3) > 0 ? break_a_ridge(dice, diagram) : break_once(dice, diagram);
+      if (has_structure && dice.below(3) > 0) {
+        break_a_ridge(dice, diagram);
+      } else {
+        break_once(dice, diagram);
+      }
     }
     std::optional<JudgedBox> box;
     if (dice.below(3) == 0) {

@@ -66,6 +66,7 @@ def entries():
     write("cell-missing", SQUARE, vertices, [*cells[:4], []], ridges)
     yield "cell-missing", "the cell of the centre has no corners", "--within 1e-12x", "voronoi.cell-missing"
     write("unknown-vertex", SQUARE, vertices, [*cells[:4], [*cells[4], 9]], ridges)
+    yield "unknown-vertex", "a cell has corner 9 of 4", "", "voronoi.unknown-vertex"
     write("vertex-unmatched", SQUARE, [*vertices, (2.5, 2.5)], cells, ridges)
     yield "vertex-unmatched", "a vertex is listed that no cell has", "--structure", "voronoi.vertex-unmatched"
     write("ridge-missing", SQUARE, vertices, cells, [ridge for ridge in ridges if ridge[:2] != [0, 4]])
@@ -73,7 +74,6 @@ def entries():
     other = {1: 2, 2: 3, 3: 4, 4: 1}
     write("ridge-differs", SQUARE, vertices, cells, [[*r[:2], *(other[v] for v in r[2:])] if r[:2] == [0, 4] else r for r in ridges])
     yield "ridge-differs", "the ridge between the centre and a corner has the ends of another", "--structure", "voronoi.ridge-differs"
-    yield "unknown-vertex", "a cell has corner 9 of 4", "", "voronoi.unknown-vertex"
 
 
 def write_all():

@@ -147,8 +147,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
 
 
 def check_voronoi(sites: Any, vertices: Any = None, cells: Any = None, ridges: Any = (), ridge_vertices: Any = (), *,
-                  within: Any = 0, structure: bool = False, box: Any = None, max_errors: int = 20, by: str = "lemma", limit: Optional[float] = None,
-                  name: str = "cells") -> Verdict:
+                  within: Any = 0, structure: bool = False, box: Any = None, max_errors: int = 20, by: str = "lemma",
+                  limit: Optional[float] = None, name: str = "cells") -> Verdict:
     """Judges, exactly, whether cells are the Voronoi cells of sites, within a box and up to a distance.
 
     sites: (n, d) doubles, d = 2 or 3; or a scipy.spatial.Voronoi, and nothing else.

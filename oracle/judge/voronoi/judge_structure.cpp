@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -101,6 +102,16 @@ class StructureJudge {
                  Verdict& verdict)
       : diagram_(diagram), exact_(exact), parts_(parts), verdict_(verdict) {}
 
+  void count() {
+    std::set<End> vertices;
+    for (std::size_t p = 0; p < parts_.places().size(); ++p) vertices.insert(parts_.part(p));
+    vertices.erase(kOutside);
+    verdict_.voronoi->structure = {.vertices = vertices.size()};
+    for (const auto& [pair, ridge] : exact_.ridges) {
+      verdict_.voronoi->structure->ridges += ends_of(ridge).size() < 2 ? 0 : 1;
+    }
+  }
+
   // Has each part a vertex of either kind?
   bool judge_vertices() {
     std::map<End, std::array<bool, 2>> has;
@@ -114,7 +125,6 @@ class StructureJudge {
       are_all = false;
       add_unmatched(parts_.places()[part]);
     }
-    verdict_.voronoi->structure = {.vertices = has.size()};
     return are_all;
   }
 
@@ -127,7 +137,6 @@ class StructureJudge {
     }
     const std::size_t fewest = diagram_.sites.ambient_dimension();  // of a ridge that is listed
     for (const auto& [pair, ends] : own) {
-      verdict_.voronoi->structure->ridges += ends.size() < 2 ? 0 : 1;
       if (ends.size() < fewest || listed.contains(pair)) continue;
       add(Rule::kRidgeMissing, pair, ends, {});
     }
@@ -254,6 +263,7 @@ void judge_structure(const VoronoiDiagram& diagram, const JudgedBox& box,
   if (!name_vertices(diagram, verdict)) return;
   const Parts parts(diagram, box, squared_distance, exact, tries_all);
   StructureJudge judge(diagram, exact, parts, verdict);
+  judge.count();
   if (judge.judge_vertices()) judge.judge_ridges();
 }
 

@@ -174,6 +174,17 @@ TEST_CASE("structure: in space a ridge with three ends or more is listed with th
   CHECK(broken(diagram) == Broken{{Rule::kRidgeDiffers, 1}});
 }
 
+TEST_CASE("structure: different vertices and ridges are counted, even if a vertex is unmatched") {
+  VoronoiDiagram diagram = square_with_ridges();
+  diagram.vertices.push_back({2, 0});
+  diagram.vertices.push_back({3, 3});
+  const Verdict verdict = judge_voronoi(diagram, {}, 0, false, 0, true);
+  CHECK(!verdict.holds());
+  REQUIRE(verdict.voronoi->structure);
+  CHECK(verdict.voronoi->structure->vertices == 5);
+  CHECK(verdict.voronoi->structure->ridges == 8);
+}
+
 TEST_CASE("structure: ridges without ends cannot be judged") {
   VoronoiDiagram diagram = square_with_ridges();
   diagram.ridges.clear();
