@@ -16,7 +16,7 @@ package=$folder/package
 rm -rf "$package" && mkdir -p "$package"
 cp "$here"/*.mjs "$here"/*.d.ts "$package/"
 rm "$package"/*_test.mjs "$package"/{pack,times}.mjs
-cp "$folder/build/js/library.wasm" "$package/circumspect.wasm"
+install -m 644 "$folder/build/js/library.wasm" "$package/circumspect.wasm"
 "$root/cmake/licences.sh" page "$folder/licences"
 version=$(sed -n 's/^project(circumspect VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
 NODE_PATH="$folder/modules/node_modules" node "$here/pack.mjs" "$root" "$package" "$version" "$folder/licences"

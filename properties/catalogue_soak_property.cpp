@@ -12,6 +12,7 @@
 
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "properties/adapters/adapters.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/catalogue_verdicts.hpp"
 
 namespace circumspect::properties {

@@ -215,7 +215,7 @@ def functions(code):
 
 
 def is_test(path):
-    return path.endswith(("_test.cpp", "_property.cpp", "_fuzz.cpp"))
+    return path.endswith(("_test.cpp", "_test.hpp", "_property.cpp", "_fuzz.cpp"))
 
 
 def inside(path, folders):

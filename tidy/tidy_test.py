@@ -56,6 +56,7 @@ class Arrows(unittest.TestCase):
     def test_a_test_may_generate_its_inputs(self):
         text = '#include "inputs/points.hpp"\n'
         self.assertEqual(rules("kernel/exact/a_test.cpp", text), [])
+        self.assertEqual(rules("kernel/exact/a_test.hpp", text), [])
         self.assertEqual(rules("kernel/exact/a.cpp", text), ["arrow"])
 
     def test_a_path_begins_at_the_root(self):
