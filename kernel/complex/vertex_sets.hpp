@@ -15,6 +15,18 @@
 
 namespace circumspect {
 
+// By odd-even transposition, since branches would be unpredictable.
+template <std::size_t kSize>
+[[gnu::always_inline]] inline void sort_vertices(std::array<std::int32_t, kSize>& set) {
+  for (std::size_t round = 0; round < kSize; ++round) {
+    for (std::size_t i = round % 2; i + 1 < kSize; i += 2) {
+      const std::int32_t low = std::min(set[i], set[i + 1]);
+      set[i + 1] = std::max(set[i], set[i + 1]);
+      set[i] = low;
+    }
+  }
+}
+
 // Each set has kSize vertices. They are sorted by the least one first, which few sets share, so
 // that it takes little more than two passes over them.
 template <std::size_t kSize>
@@ -40,7 +52,7 @@ class VertexSets {
     entries_.resize(begins_.back());
     std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
     each([&](Set set, std::int32_t origin) {
-      sort(set);
+      sort_vertices(set);
       Entry& entry = entries_[next[static_cast<std::size_t>(set.front())]++];
       std::copy(set.begin() + 1, set.end(), entry.others.begin());
       entry.origin = origin;
@@ -78,17 +90,6 @@ class VertexSets {
   }
 
  private:
-  // By odd-even transposition, since branches would be unpredictable.
-  static void sort(Set& set) {
-    for (std::size_t round = 0; round < kSize; ++round) {
-      for (std::size_t i = round % 2; i + 1 < kSize; i += 2) {
-        const std::int32_t low = std::min(set[i], set[i + 1]);
-        set[i + 1] = std::max(set[i], set[i + 1]);
-        set[i] = low;
-      }
-    }
-  }
-
   std::vector<std::uint32_t> begins_;  // of the sets with each least vertex
   std::vector<Entry> entries_;
 };

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include "kernel/exact/interruption.hpp"
+#include "oracle/judge/counted_sets.hpp"
+#include "oracle/judge/unlike_rows.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -115,6 +117,53 @@ TEST_CASE("random meshes of cells: some listed again, some missing, in any order
   }
   CHECK(same > 200);
   CHECK(same < 1800);
+}
+
+// Cells whose search in a table for `count` of them begins at its last place.
+std::vector<Simplex> colliding_cells(std::size_t count, Vertex points) {
+  const CountedSets<3> table(count);
+  const std::size_t last = count + count / 3;
+  std::vector<Simplex> cells;
+  for (Vertex i = 0; i < points && cells.size() < count; ++i) {
+    for (Vertex j = i + 1; j < points && cells.size() < count; ++j) {
+      for (Vertex k = j + 1; k < points && cells.size() < count; ++k) {
+        const CountedSets<3>::Set set{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
+                                      static_cast<std::int32_t>(k)};
+        if (table.home(set) == last) cells.push_back({i, j, k});
+      }
+    }
+  }
+  REQUIRE(cells.size() == count);
+  return cells;
+}
+
+TEST_CASE("cells whose hashes collide are compared in another way, if they are many") {
+  std::vector<Point> points;
+  std::vector<Vertex> places;
+  for (int i = 0; i < 80; ++i) {
+    points.push_back({Rational(i), Rational(i * i)});
+    places.push_back(i);
+  }
+  // With 30 cells it is the search for those that differ which takes too long.
+  for (const std::size_t count : {std::size_t{20}, std::size_t{30}, std::size_t{200}}) {
+    const ExactMesh a{PointSet(points), colliding_cells(count, 80)};
+    ExactMesh b{PointSet(points), {a.simplices.rbegin(), a.simplices.rend()}};
+    const auto is_looked_up = [&] {
+      are_compared_alike(a, b);
+      are_compared_alike(b, a);
+      const Mesh of_a = in_rows(a), of_b = in_rows(b);
+      return unlike_rows(of_a.simplices, of_b.simplices, places, points.size()).has_value();
+    };
+    CHECK(is_looked_up() == (count < 200));
+    std::swap(b.simplices[0][0], b.simplices[0][1]);
+    b.simplices[1] = b.simplices[2];
+    CHECK(is_looked_up() == (count < 30));
+  }
+  // All cells of b are looked up before too many collide, but the last of a are not.
+  const ExactMesh b{PointSet(points), colliding_cells(60, 80)};
+  ExactMesh a{PointSet(points), {b.simplices.rbegin(), b.simplices.rend()}};
+  a.simplices.insert(a.simplices.end(), 10, Simplex{77, 78, 79});
+  are_compared_alike(a, b);
 }
 
 TEST_CASE("numbers that are not doubles are compared exactly") {

@@ -1,12 +1,15 @@
 #include "oracle/judge/unlike_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <type_traits>
 
 #include "kernel/complex/vertex_sets.hpp"
+#include "kernel/exact/interruption.hpp"
+#include "oracle/judge/counted_sets.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -16,7 +19,7 @@ namespace {
 template <std::size_t kSize, class List, class Image>
 class RowSets {
  public:
-  using Set = typename VertexSets<kSize>::Set;
+  using Set = typename CountedSets<kSize>::Set;
 
   RowSets(const List& rows, const Image& image) : rows_(rows), image_(image) {}
 
@@ -35,7 +38,9 @@ class RowSets {
 
 template <class Set>
 bool is_whole(const Set& set) {
-  return std::all_of(set.begin(), set.end(), [](std::int32_t v) { return v >= 0; });
+  std::int32_t signs = 0;
+  for (const std::int32_t v : set) signs |= v;
+  return signs >= 0;
 }
 
 // Do they have the same vertices, in any order?
@@ -44,8 +49,8 @@ bool are_alike(Set a, Set b) {
   if (a == b) return true;
   const auto sum = [](const Set& set) { return std::reduce(set.begin(), set.end(), Vertex{0}); };
   if (sum(a) != sum(b)) return false;
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
+  sort_vertices(a);
+  sort_vertices(b);
   return a == b;
 }
 
@@ -56,7 +61,7 @@ std::vector<bool> rows_alike(const SetsOfA& a, const SetsOfB& b) {
   std::vector<bool> alike(std::max(a.size(), b.size()), false);
   std::size_t found = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    if (i % kSome == 0 && found < i / 4) break;  // sorting is faster
+    if (i % kSome == 0 && found < i / 4) break;  // looking up is faster
     const auto of_a = a[i];
     alike[i] = is_whole(of_a) && are_alike(of_a, b[i]);
     found += alike[i] ? 1 : 0;
@@ -64,47 +69,77 @@ std::vector<bool> rows_alike(const SetsOfA& a, const SetsOfB& b) {
   return alike;
 }
 
-// The sets of the other rows; those that name no point of the mesh stay apart.
-template <std::size_t kSize, class Sets>
-VertexSets<kSize> sets_of(const Sets& sets, const std::vector<bool>& alike, std::size_t points,
-                          std::vector<std::size_t>& apart) {
-  return VertexSets<kSize>(points, [&](const auto& visit) {
-    apart.clear();
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      if (alike[i]) continue;
-      const auto set = sets[i];
-      if (is_whole(set)) {
-        visit(set, static_cast<std::int32_t>(i));
-      } else {
-        apart.push_back(i);
-      }
+// Calls visit(place, counted, set) for the other rows; calls apart(place) for those that name no
+// point of the mesh. Sets are looked up some at a time, so that the memory is asked for them all
+// before the first is needed.
+template <std::size_t kSize, class Sets, class Visit, class Apart>
+void for_each_counted(CountedSets<kSize>& counts, const Sets& sets, const std::vector<bool>& alike,
+                      const Visit& visit, const Apart& apart) {
+  struct Sought {
+    typename Sets::Set set;
+    std::size_t place;
+    std::size_t home;
+  };
+  std::array<Sought, 64> some;
+  std::size_t size = 0;
+  const auto look_up = [&] {
+    end_if_interrupted();
+    for (std::size_t k = 0; k < size; ++k) {
+      visit(some[k].place, counts.at(some[k].set, some[k].home), some[k].set);
     }
-  });
+    size = 0;
+  };
+  for (std::size_t i = 0; i < sets.size() && !counts.is_crowded(); ++i) {
+    if (alike[i]) continue;
+    auto set = sets[i];
+    if (!is_whole(set)) {
+      apart(i);
+      continue;
+    }
+    sort_vertices(set);
+    const std::size_t home = counts.home(set);
+    counts.prefetch(home);
+    some[size++] = {set, i, home};
+    if (size == some.size()) look_up();
+  }
+  look_up();
 }
 
-// Adds to either list what the other has more or less often.
-template <std::size_t kSize>
-void compare(const VertexSets<kSize>& a, const VertexSets<kSize>& b, UnlikeRows& unlike) {
-  const auto add = [](auto group, std::vector<std::size_t>& places) {
-    for (const auto& entry : group) places.push_back(static_cast<std::size_t>(entry.origin));
+// Those of the other rows that the other mesh lists more or less often; none if hashes collide too
+// often.
+template <std::size_t kSize, class SetsOfA, class SetsOfB>
+std::optional<UnlikeRows> compare(const SetsOfA& a, const SetsOfB& b,
+                                  const std::vector<bool>& alike) {
+  UnlikeRows unlike;
+  const auto to_a = [&](std::size_t i) { unlike.of_a.push_back(i); };
+  const auto to_b = [&](std::size_t i) { unlike.of_b.push_back(i); };
+  const auto nothing = [](std::size_t) {};
+  const auto known = static_cast<std::size_t>(std::count(alike.begin(), alike.end(), true));
+  CountedSets<kSize> counts(b.size() - known);
+  const auto add = [](std::size_t, auto& counted, const auto& set) {
+    counted.set = set;
+    ++counted.more;
   };
-  for (std::size_t v = 0; v < a.points(); ++v) {
-    auto of_a = a.with_least(v), of_b = b.with_least(v);
-    while (!of_a.empty() || !of_b.empty()) {
-      const auto group_of = [](auto entries, auto others) {
-        const bool is_later =
-            entries.empty() || (!others.empty() && others[0].others < entries[0].others);
-        return is_later ? entries.first(0) : VertexSets<kSize>::first_group(entries);
-      };
-      const auto in_a = group_of(of_a, of_b), in_b = group_of(of_b, of_a);
-      if (in_a.size() != in_b.size()) {
-        add(in_a, unlike.of_a);
-        add(in_b, unlike.of_b);
-      }
-      of_a = of_a.subspan(in_a.size());
-      of_b = of_b.subspan(in_b.size());
+  const auto take = [&](std::size_t i, auto& counted, const auto&) {
+    if (counts.is_free(counted)) {
+      to_a(i);
+    } else {
+      --counted.more;
     }
-  }
+  };
+  for_each_counted(counts, b, alike, add, to_b);
+  for_each_counted(counts, a, alike, take, to_a);
+  if (counts.is_crowded()) return std::nullopt;
+  if (counts.is_even()) return unlike;
+  const auto if_uneven = [](const auto& to) {
+    return [&to](std::size_t i, const auto& counted, const auto&) {
+      if (counted.more != 0) to(i);
+    };
+  };
+  for_each_counted(counts, a, alike, if_uneven(to_a), nothing);
+  for_each_counted(counts, b, alike, if_uneven(to_b), nothing);
+  if (counts.is_crowded()) return std::nullopt;
+  return unlike;
 }
 
 // Adds the rows in the same place that are like others which one mesh has more often.
@@ -113,7 +148,7 @@ void add_alike(const SetsOfA& a, const SetsOfB& b, const std::vector<bool>& alik
                UnlikeRows& unlike) {
   std::vector<typename SetsOfB::Set> unlike_sets;
   const auto take = [&](auto set) {
-    std::sort(set.begin(), set.end());
+    sort_vertices(set);
     if (set.front() >= 0) unlike_sets.push_back(set);
   };
   for (const std::size_t i : unlike.of_a) take(a[i]);
@@ -123,7 +158,7 @@ void add_alike(const SetsOfA& a, const SetsOfB& b, const std::vector<bool>& alik
   for (std::size_t i = 0; i < alike.size(); ++i) {
     if (!alike[i]) continue;
     auto set = b[i];
-    std::sort(set.begin(), set.end());
+    sort_vertices(set);
     if (!std::binary_search(unlike_sets.begin(), unlike_sets.end(), set)) continue;
     unlike.of_a.push_back(i);
     unlike.of_b.push_back(i);
@@ -131,8 +166,9 @@ void add_alike(const SetsOfA& a, const SetsOfB& b, const std::vector<bool>& alik
 }
 
 template <std::size_t kSize, class RowsOfA, class RowsOfB>
-UnlikeRows unlike_of(const RowsOfA& a, const RowsOfB& b, const std::vector<Vertex>& place_in_b,
-                     std::size_t points_of_b) {
+std::optional<UnlikeRows> unlike_of(const RowsOfA& a, const RowsOfB& b,
+                                    const std::vector<Vertex>& place_in_b,
+                                    std::size_t points_of_b) {
   const auto image = [&](Vertex v) -> std::int32_t {
     const bool names = v >= 0 && static_cast<std::size_t>(v) < place_in_b.size();
     return names ? static_cast<std::int32_t>(place_in_b[static_cast<std::size_t>(v)]) : -1;
@@ -143,13 +179,11 @@ UnlikeRows unlike_of(const RowsOfA& a, const RowsOfB& b, const std::vector<Verte
   const RowSets<kSize, RowsOfA, decltype(image)> sets_of_a(a, image);
   const RowSets<kSize, RowsOfB, decltype(own)> sets_of_b(b, own);
   const std::vector<bool> alike = rows_alike(sets_of_a, sets_of_b);
-  UnlikeRows unlike;
-  const auto of_a = sets_of<kSize>(sets_of_a, alike, points_of_b, unlike.of_a);
-  const auto of_b = sets_of<kSize>(sets_of_b, alike, points_of_b, unlike.of_b);
-  compare<kSize>(of_a, of_b, unlike);
-  add_alike(sets_of_a, sets_of_b, alike, unlike);
-  std::sort(unlike.of_a.begin(), unlike.of_a.end());
-  std::sort(unlike.of_b.begin(), unlike.of_b.end());
+  auto unlike = compare<kSize>(sets_of_a, sets_of_b, alike);
+  if (!unlike) return std::nullopt;
+  add_alike(sets_of_a, sets_of_b, alike, *unlike);
+  std::sort(unlike->of_a.begin(), unlike->of_a.end());
+  std::sort(unlike->of_b.begin(), unlike->of_b.end());
   return unlike;
 }
 

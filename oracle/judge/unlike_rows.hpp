@@ -19,7 +19,7 @@ struct UnlikeRows {
 
 // `place_in_b`: for each point of a the equal point of b, or −1. None if simplices are not in rows,
 // or those of a have more vertices or fewer than those of b, or if there are more than 2^31 points
-// or simplices.
+// or simplices, or if their hashes collide too often.
 std::optional<UnlikeRows> unlike_rows(const IndexLists& a, const IndexLists& b,
                                       const std::vector<Vertex>& place_in_b,
                                       std::size_t points_of_b);
