@@ -187,6 +187,7 @@ TEST_CASE("random weighted points of space, some submerged") {
 
 TEST_CASE("meshes of 10^5 points that wind twice") {
   for (const std::size_t d : {2u, 3u}) {
+    if (!has_time()) return;
     CAPTURE(d);
     ArrayMesh mesh = doubly_wound(d, 315, 317);
     const std::string said = "a sample point that is covered twice";

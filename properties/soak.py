@@ -125,7 +125,8 @@ class Soak:
             else:
                 needed = 1 + int(2 * sum(map(self.seconds_of, self.waiting + [test])) / processors / 60)
                 test.said = f"left out: it takes {self.seconds_of(test):.0f} s, for which MINUTES={needed} has room"
-        self.divisible = [t for t in self.tests if t.divisible]
+        # Those first that need several processors: they would wait for one that is late.
+        self.divisible = sorted((t for t in self.tests if t.divisible), key=lambda t: -t.processors)
         self.waiting = self.divisible + self.waiting
 
     def seconds_of(self, test):
