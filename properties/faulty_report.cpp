@@ -2,7 +2,7 @@
 //
 //     faulty_report properties/faulty/README.md
 //
-// faulty_slow_property.cpp holds the table to what comes out.
+// faulty_soak_property.cpp holds the table to what comes out.
 #include <fstream>
 #include <iostream>
 #include <iterator>
