@@ -216,8 +216,8 @@ soak-sanitize: deps-test
 	@cmake --build --preset sanitize -j $(JOBS)
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset sanitize -j $(JOBS)
 
-# Every property and every soak test on new random inputs, round after round, for MINUTES; a failure
-# ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.
+# Every property and soak test on new random inputs, each for its share of MINUTES, and what cannot be
+# cut short if there is room for it; a failure ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.
 soak: deps-test
 	@$(CONFIGURE) --preset release $(ALL_TESTS)
 	@cmake --build --preset release -j $(JOBS)

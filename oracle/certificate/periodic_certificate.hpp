@@ -28,7 +28,7 @@ struct PeriodicDocument {
     std::size_t place = 0;
   };
 
-  ScaledPoints points;  // with the copies, of which only the lattice is listed
+  ScaledPoints points;  // with the copies, for which the file lists the lattice
   std::size_t listed = 0;
   std::vector<std::vector<Integer>> lattice = {};  // in the scale of the points
   std::vector<std::vector<Integer>> dual = {};     // the dual basis, times `factor`

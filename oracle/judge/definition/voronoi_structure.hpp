@@ -11,8 +11,8 @@ namespace circumspect::definition {
 
 // A vertex is a point whose nearest sites span the plane, or space; it is the centre of their cell
 // in the Delaunay subdivision. A ridge is the common part of the cells of two sites, if no common
-// part of three is as large; its ends are the vertices in it. Book: Section 4.2 (the Delaunay
-// subdivision), of which this is the dual.
+// part of three is as large; its ends are the vertices in it. The diagram is the dual of the
+// Delaunay subdivision. Book: Section 4.2.
 struct VoronoiRidge {
   std::vector<Point> ends = {};  // in the closed box, ascending
   bool leaves_box = false;       // has it points outside?
