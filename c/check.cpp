@@ -201,9 +201,10 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
                         about->complex.ambient_dimension(), judged.dimension()));
       }
     }
-    const std::string unmeasured = check::fault_of_quality(judged, own.quality);
-    if (!unmeasured.empty()) c::refuse_call(unmeasured);
     const Domain* const filled = about ? &*about : nullptr;
+    const std::string unmeasured =
+        check::fault_of_quality(judged, own.quality, filled, asked.within != nullptr);
+    if (!unmeasured.empty()) c::refuse_call(unmeasured);
     std::vector<std::string> notes;
     const Claim known = named ? *named : c::default_claim(judged, filled, asked, notes);
     c::set_demands(asked.demands, known, own);

@@ -81,8 +81,9 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
 
 // Are the requirements about measures that the mesh does not have? Then it says so.
 bool misses_measures(const std::string& path, const Mesh& mesh, const CheckOptions& options,
-                     Output& output) {
-  const std::string fault = check::fault_of_quality(mesh, options.check.quality);
+                     const Domain* domain, Output& output) {
+  const std::string fault =
+      check::fault_of_quality(mesh, options.check.quality, domain, options.within.has_value());
   if (!fault.empty()) output.error(ExitCode::kUsage, "mesh", path, path + ": " + fault);
   return !fault.empty();
 }
@@ -129,7 +130,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, fault);
     return;
   }
-  if (misses_measures(path, loaded->mesh, options, output)) return;
+  if (misses_measures(path, loaded->mesh, options, nullptr, output)) return;
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
   auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, options.check);
   output.notes(loaded->notes);
@@ -220,7 +221,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
                     dimension, domain.name, mesh.dimension()));
     return;
   }
-  if (misses_measures(path, mesh, options, output)) return;
+  if (misses_measures(path, mesh, options, &domain.domain, output)) return;
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim = options.claim.value_or(
       check::default_claim(mesh, &domain.domain, options.within.has_value()));

@@ -15,11 +15,13 @@ void add_quality_options(CLI::App& command, QualityDemands& demands) {
     return true;
   };
   command
-      .add_option("--require", read,
-                  "Also demand this of every simplex, such as min-angle:20.7deg (or, quoted, "
-                  "'min-angle >= 20.7deg'): at least so much of min-angle, min-dihedral, min-edge; "
-                  "at most so much of max-angle, max-dihedral, radius-edge, aspect-ratio, volume, "
-                  "area, edge. May be given several times")
+      .add_option(
+          "--require", read,
+          "Also demand this of every simplex, such as min-angle:20.7deg (or, quoted, "
+          "'min-angle >= 20.7deg'): at least so much of min-angle, min-dihedral, min-edge; "
+          "at most so much of max-angle, max-dihedral, radius-edge, aspect-ratio, volume, "
+          "area, edge. area:regions and volume:regions: what the .poly file of --domain allows in "
+          "each region. May be given several times")
       ->expected(1, -1)
       ->option_text("MEASURE:BOUND");
   const auto read_sharp = [&demands](const CLI::results_t& texts) {

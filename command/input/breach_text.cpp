@@ -12,9 +12,6 @@
 namespace circumspect::cli {
 namespace {
 
-// Longer exact values are given by their decimals; JSON has them whole.
-constexpr std::size_t kLongestExact = 60;
-
 std::string labels_in_file(const std::vector<Vertex>& vertices, const formats::DomainFile& file) {
   std::vector<Vertex> own;
   for (const Vertex v : vertices) own.push_back(file.label(v));
@@ -49,33 +46,16 @@ char offset_axis(const std::vector<Vertex>& plane, const formats::DomainFile& fi
   return "xyz"[longest_axis(cross_product(at(1) - at(0), at(2) - at(0)))];
 }
 
-std::string offset_text(const Rational& offset) {
-  const std::string exact = to_string(offset);
-  const std::string decimal = to_decimal(offset);
-  if (exact == decimal) return exact;
-  return exact.size() > kLongestExact ? "~ " + decimal : exact + " ~ " + decimal;
-}
-
 bool is_off_a_plane(const Breach& breach) { return breach.offset && breach.vertices.size() >= 3; }
 
 // The subject that is off a plane, then the plane: the last three vertices.
 std::string off_plane_text(const Breach& breach, const formats::DomainFile& file) {
   const std::vector<Vertex> plane(breach.vertices.end() - 3, breach.vertices.end());
-  return fmt::format("{} off the plane of vertices {} along {}", offset_text(*breach.offset),
+  return fmt::format("{} off the plane of vertices {} along {}", value_text(*breach.offset),
                      labels_in_file(plane, file), offset_axis(plane, file));
 }
 
 }  // namespace
-
-std::string point_text(const Point& point) {
-  std::string text = "(";
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const std::string exact = to_text_of_double_or_fraction(point[i]);
-    text += i == 0 ? "" : ", ";
-    text += exact.size() > kLongestExact ? "~ " + to_decimal(point[i]) : exact;
-  }
-  return text + ")";
-}
 
 std::string polygon_name(std::size_t polygon, const formats::DomainFile& file) {
   const std::size_t line = file.polygon_lines[polygon];

@@ -37,8 +37,4 @@ std::optional<std::pair<report::Json, Witness>> domain_card(const formats::Domai
 // a breach.
 Mesh skeleton(const formats::DomainFile& file);
 
-// "(0, 1/3, 0.125)": a double stands as its shortest decimal, a long fraction as "~
-// 0.3333333333333333".
-std::string point_text(const Point& point);
-
 }  // namespace circumspect::cli

@@ -57,6 +57,7 @@ Domain domain_of(PiecewiseLinearComplex complex, const formats::DomainFile& file
   for (std::size_t i = 0; i < file.polygon_lines.size(); ++i) {
     domain.polygon_names.push_back(polygon_name(i, file));
   }
+  domain.region_bounds = file.region_bounds;
   return domain;
 }
 

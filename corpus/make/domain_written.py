@@ -247,6 +247,46 @@ def labelled():
     row("written/cube.ele --domain written/cube-in-triangles.off --keep-label 1", "input", "cells without labels")
 
 
+def write_rooms(name, regions):
+    """Two rooms of the plane, 4 by 8, and what bounds the triangles in each: rows "x y attribute [bound]"."""
+    points = [(0, 0), (4, 0), (8, 0), (0, 8), (4, 8), (8, 8)]
+    edges = [(1, 2), (2, 3), (4, 5), (5, 6), (1, 4), (2, 5), (3, 6)]
+    lines = [f"{len(points)} 2 0 0", *(f"{i + 1} {x} {y}" for i, (x, y) in enumerate(points)), f"{len(edges)} 0"]
+    lines += [f"{i + 1} {a} {b}" for i, (a, b) in enumerate(edges)]
+    lines += ["0", str(len(regions)), *(f"{i + 1} {region}" for i, region in enumerate(regions))]
+    (FOLDER / f"{name}.poly").write_text("\n".join(lines) + "\n")
+
+
+def bounded():
+    write_mesh("rooms", *grid([(0, 2, 4, 8), (0, 4, 8)], everything))  # triangles of 4 on the left, of 8 on the right
+    for name, regions, verdict, what in [
+            ("rooms", ["1 1 10 4", "5 1 20 8"], "holds", "each triangle is as large as its region allows"),
+            ("rooms-left-finer", ["1 1 10 3.5", "5 1 20 8"], "quality.area", "the triangles on the left are too large"),
+            ("rooms-right-finer", ["5 1 20 7.5"], "quality.area", "the triangles on the right are too large"),
+            ("rooms-attribute", ["1 1 3.5"], "quality.area", "a region without a bound has its attribute for one"),
+            ("rooms-unbounded", ["1 1 10 4", "5 1 20 -1"], "holds", "a bound that is not positive bounds nothing"),
+            ("rooms-on-wall", ["4 1 10 4"], "exit code 2", "a point on a segment is in no region"),
+            ("rooms-two-bounds", ["1 1 10 4", "2 1 20 5"], "exit code 2", "two bounds for one region"),
+            ("rooms-none", [], "exit code 2", "no region has a bound")]:
+        write_rooms(name, regions)
+        row(f"written/rooms.ele --domain written/{name}.poly --require area:regions", verdict, what)
+    rooms = "written/rooms.ele --domain written/rooms.poly"
+    row(f"{rooms} --require area:regions --require area:7", "quality.area", "a bound for all beside those of the regions")
+    row(f"{rooms} --require volume:regions", "exit code 2", "triangles have no volume")
+    row(f"{rooms} --require area:regions --within 1e-9", "exit code 2", "a moved domain has no exact regions")
+    row("written/rooms.ele --require area:regions", "exit code 2", "without a domain there are no regions")
+    points, cells = grid([(0, 3, 6, 9), (0, 9), (0, 9)], everything)  # tetrahedra of 40.5
+    write_mesh("cube-in-slices", points, cells)
+    sides = [(x, y, z) for z in (0, 9) for y in (0, 9) for x in (0, 3, 9)]
+    left = [(0, 3, 4, 1), (6, 7, 10, 9), (0, 1, 7, 6), (3, 9, 10, 4), (0, 6, 9, 3), (1, 4, 10, 7)]
+    right = [tuple(v + 1 for v in square) for square in left]
+    write_poly("cube-with-room", sides, left + [right[i] for i in (0, 1, 2, 3, 5)])
+    bound = FOLDER / "cube-with-room.poly"
+    bound.write_text(bound.read_text() + "2\n1 1 1 1 0 41\n2 5 1 1 0 40\n")
+    row("written/cube-in-slices.ele --domain written/cube-with-room.poly --require volume:regions", "quality.volume",
+        "in space: the tetrahedra of the larger room are too large")
+
+
 def slanted(p):
     x, y, z = p
     return ((3 * x + y) / 7, (4 * y - x + 2 * z) / 7, (x + 5 * z) / 7)
@@ -274,7 +314,7 @@ def rounded():
 
 def write():
     FOLDER.mkdir(parents=True, exist_ok=True)
-    for part in (merged, solid, dangling, labelled, rounded):
+    for part in (merged, solid, dangling, labelled, bounded, rounded):
         part()
     header = "# arguments of `circumspect check`, in the folder above\tverdict\twhat is shown\n"
     table = FOLDER / "written.tsv"

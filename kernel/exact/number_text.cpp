@@ -197,6 +197,30 @@ std::string to_text_of_double_or_fraction(const Rational& value) {
   return value.get_den() == 1 ? value.get_str() + "/1" : value.get_str();
 }
 
+namespace {
+
+// The decimal is what a person reads; JSON has what is longer.
+constexpr std::size_t kLongestExact = 60;
+
+}  // namespace
+
+std::string point_text(std::span<const Rational> coordinates) {
+  std::string text;
+  for (const Rational& coordinate : coordinates) {
+    const std::string exact = to_text_of_double_or_fraction(coordinate);
+    text += text.empty() ? "(" : ", ";
+    text += exact.size() > kLongestExact ? "~ " + to_decimal(coordinate) : exact;
+  }
+  return text + ")";
+}
+
+std::string value_text(const Rational& value) {
+  const std::string exact = to_string(value);
+  const std::string decimal = to_decimal(value);
+  if (exact == decimal) return exact;
+  return exact.size() > kLongestExact ? "~ " + decimal : exact + " ~ " + decimal;
+}
+
 std::string to_decimal(const Rational& value) {
   Float nearest(kDoublePrecision);
   mpfr_set_q(nearest.get(), value.get_mpq_t(), MPFR_RNDN);

@@ -40,6 +40,13 @@ std::string to_string(const Rational& value);
 // the value is a double, else a fraction.
 std::string to_text_of_double_or_fraction(const Rational& value);
 
+// A point, "(0, 1/3, 0.125)", each coordinate written so; a long fraction is "~" and its decimal.
+std::string point_text(std::span<const Rational> coordinates);
+
+// "5", "1/3 ~ 0.3333333333333333": the exact value and its decimal, unless they are the same; of a
+// long one only the decimal.
+std::string value_text(const Rational& value);
+
 // Correctly rounded (to nearest, ties to even) to 53 bits and written as the shortest decimal that
 // identifies that double; beyond the range of double, 17 significant digits. For people: never
 // read back in a verdict.

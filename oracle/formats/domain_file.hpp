@@ -12,6 +12,7 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
+#include "oracle/model/domain.hpp"
 
 namespace circumspect::formats {
 
@@ -24,6 +25,7 @@ struct DomainFile {
   std::vector<std::size_t> segment_lines = {};  // the line of each segment, for messages
   std::vector<std::size_t> polygon_lines = {};  // the same for each polygon; 0: a binary file
   std::vector<Vertex> polygon_markers = {};     // the marker of each in the file; 0: none
+  std::vector<RegionBound> region_bounds = {};
   std::string name = {};
   std::string points_name = {};  // the file of the points, if they are elsewhere
   std::vector<std::string> notes =

@@ -99,6 +99,7 @@ std::optional<DomainFile> in_plane(const DomainFile& file) {
   }
   plane.faces = std::exchange(plane.input.polygons, {});
   plane.polygon_lines.clear();
+  plane.region_bounds.clear();  // they bound volumes
   plane.polygon_markers.clear();
   for (PolygonLines& face : plane.faces) {
     for (Point& seed : face.hole_seeds) {

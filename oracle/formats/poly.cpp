@@ -242,7 +242,7 @@ Status PolyReader::read_holes() {
   }
 }
 
-// Regions give attributes and bounds to the elements of a mesh, which no claim is about.
+// A region gives an attribute to the elements in it, and a bound on their size.
 Status PolyReader::read_regions() {
   const Result<bool> listed = numbered_.read_optional_header("regions", 1, 1);
   if (!listed) return tl::unexpected(listed.error());
@@ -258,8 +258,11 @@ Status PolyReader::read_regions() {
     }
     const Result<Vertex> index = lines().integer(0, "the index of a region");
     if (!index) return tl::unexpected(index.error());
-    const auto numbers = lines().numbers(1, lines().size() - 1, reading_);
+    auto numbers = lines().numbers(1, lines().size() - 1, reading_);
     if (!numbers) return tl::unexpected(numbers.error());
+    const Rational most = numbers->back();
+    numbers->resize(file_.dimension);
+    if (sign(most) > 0) file_.region_bounds.push_back({std::move(*numbers), most});
   }
   return {};
 }

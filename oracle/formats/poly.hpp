@@ -11,9 +11,12 @@
 //     corners v0 … v(corners-1) [marker]
 //     holes                                       then a line "index x y [z]" for each
 //     regions                                     may be missing; "index x y [z] attribute [bound]"
+//                                                   bounds areas or volumes; one that is not
+//                                                   positive, nothing
 //
-// A polygon of two corners is a segment, one of one corner an isolated vertex. Attributes, markers
-// and regions are checked and otherwise ignored. TetGen reads a file that ends before the holes, so
+// A polygon of two corners is a segment, one of one corner an isolated vertex. Attributes and
+// markers are checked and otherwise ignored. Where a region has no bound, its attribute is the
+// bound: Triangle and TetGen read it so. TetGen reads a file that ends before the holes, so
 // that in space their list may be missing too; this is noted.
 #pragma once
 

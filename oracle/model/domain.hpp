@@ -11,6 +11,12 @@
 
 namespace circumspect {
 
+// A bound on the area, or the volume, of the elements in one region.
+struct RegionBound {
+  Point seed;  // in the region
+  Rational most;
+};
+
 // A valid piecewise linear complex, and the user's names for its parts. A mesh has its own indices:
 // vertices of mesh and domain are matched by their coordinates.
 struct Domain {
@@ -18,6 +24,7 @@ struct Domain {
   std::vector<Vertex> labels = {};              // of its vertices; empty: the index itself
   Vertex first_index = 0;                       // the user's index of the first vertex
   std::vector<std::string> polygon_names = {};  // "3 (line 17)"; empty: counted from 1
+  std::vector<RegionBound> region_bounds = {};
   // The regions of the complex, if they have been found already; a change of the complex must reset
   // them.
   std::optional<Regions> known_regions = {};

@@ -179,11 +179,16 @@ tl::expected<Requirement, std::string> read_requirement(std::string_view text) {
     requirement.bound = *degrees;
     return requirement;
   }
+  const bool is_size = found->measure == Measure::kArea || found->measure == Measure::kVolume;
+  if (is_size && bound == "regions") {
+    requirement.of_regions = true;
+    return requirement;
+  }
   const auto squared = read_squared(bound);
   if (!squared) {
     return Fault(std::string(found->name) +
-                 ": expected a number of at least 0, such as 0.5, 1/3 or sqrt(2), found '" + bound +
-                 "'");
+                 ": expected a number of at least 0, such as 0.5, 1/3 or sqrt(2)" +
+                 (is_size ? ", or the word regions" : "") + ", found '" + bound + "'");
   }
   requirement.bound = *squared;
   return requirement;

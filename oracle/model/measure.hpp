@@ -53,8 +53,9 @@ bool is_worse(Measure measure, const Rational& value, const Rational& than);
 // A simplex is required to have at least, or at most, so much.
 struct Requirement {
   Measure measure;
-  Rational bound;    // degrees, or the square of the number
-  std::string text;  // "min-angle >= 20.7deg"
+  Rational bound;           // degrees, or the square of the number
+  std::string text;         // "min-angle >= 20.7deg"
+  bool of_regions = false;  // "area <= regions": the domain gives a bound for each of its regions
 
   // "min-angle:20.7deg", a word of the line of a verdict.
   std::string word() const;
@@ -64,9 +65,9 @@ bool keeps(const Requirement& requirement, const Rational& value);
 // The sign of what was measured minus a bound as above.
 int compare(Measure measure, const Rational& value, const Rational& bound);
 
-// From "min-angle >= 20.7deg", "min-angle:20.7deg", "radius-edge <= sqrt(2)"; numbers are decimals
-// or fractions, and mean exactly what is written. Else one line: what was expected, and what was
-// found.
+// From "min-angle >= 20.7deg", "min-angle:20.7deg", "radius-edge <= sqrt(2)", "area:regions";
+// numbers are decimals or fractions, and mean exactly what is written. Else one line: what was
+// expected, and what was found.
 tl::expected<Requirement, std::string> read_requirement(std::string_view text);
 
 // From "60deg", up to 180deg.

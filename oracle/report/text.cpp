@@ -13,33 +13,6 @@ namespace circumspect::report {
 
 namespace {
 
-constexpr std::size_t kLongestExact = 60;
-
-// "7" for an integer, "3/4 ~ 0.75" for a fraction with the nearest double, "~ 0.1234" where the
-// fraction would not fit a line.
-std::string value_text(const Rational& value) {
-  const std::string exact = to_string(value);
-  const std::string decimal = to_decimal(value);
-  if (exact == decimal) return exact;
-  if (exact.size() > kLongestExact) return "~ " + decimal;
-  return exact + " ~ " + decimal;
-}
-
-// A coordinate that is a double is written as the shortest decimal that identifies it, as in the
-// user's file.
-std::string coordinate_text(const Rational& x) {
-  const std::string exact = to_text_of_double_or_fraction(x);
-  return exact.size() > kLongestExact ? "~ " + to_decimal(x) : exact;
-}
-
-std::string point_text(const Point& point) {
-  std::string text = "(";
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + coordinate_text(point[i]);
-  }
-  return text + ")";
-}
-
 // The cell of the domain that a witness names: " domain-vertex 3", " segment 3 4", " polygon 2", "
 // hull-face 3 4 5".
 std::string cell_text(const Witness& witness, const Domain* domain) {

@@ -6,6 +6,7 @@
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/exact_measure.hpp"
 #include "oracle/judge/quality/filtered.hpp"
+#include "oracle/judge/quality/region_bounds.hpp"
 #include "oracle/judge/quality/sharp_angles.hpp"
 
 namespace circumspect::check {
@@ -22,8 +23,10 @@ Places violators_by_definition(const Mesh& mesh, const std::vector<Requirement>&
   return all;
 }
 
-Places violators(const Mesh& mesh, const Options& options) {
-  const std::vector<Requirement>& requirements = options.quality.requirements;
+Places violators(const Mesh& mesh, const std::vector<quality::RegionRequirement>& asked,
+                 const Options& options) {
+  std::vector<Requirement> requirements;
+  for (const auto& one : asked) requirements.push_back(one.requirement);
   if (options.by == By::kDefinition) return violators_by_definition(mesh, requirements);
   return quality::violators(mesh, requirements, threads_of(options));
 }
@@ -41,7 +44,13 @@ void add_violation(const Requirement& requirement, const Mesh& mesh, std::size_t
 
 }  // namespace
 
-std::string fault_of_quality(const Mesh& mesh, const QualityDemands& demands) {
+std::string fault_of_quality(const Mesh& mesh, const QualityDemands& demands, const Domain* domain,
+                             bool is_moved) {
+  for (const Requirement& one : demands.requirements) {
+    if (!one.of_regions) continue;
+    std::string fault = quality::fault_of_region_bounds(one, mesh, domain, is_moved);
+    if (!fault.empty()) return fault;
+  }
   if (demands.empty() || mesh.simplices.empty()) return "";
   return fault_for_dimension(demands.requirements, quality::dimension_of_simplices(mesh));
 }
@@ -61,12 +70,26 @@ void judge_quality(const Mesh& mesh, const Domain* domain, const Rational& squar
         static_cast<std::size_t>(std::count(is_set_aside.begin(), is_set_aside.end(), true));
   }
   verdict.quality = std::move(facts);
-  const Places all = violators(mesh, options);
+  std::vector<quality::RegionRequirement> asked;
+  std::optional<Regions> regions;
+  for (const Requirement& one : demands.requirements) {
+    if (!one.of_regions) {
+      asked.push_back({one});
+      continue;
+    }
+    regions = domain->regions();
+    for (auto& each : quality::by_region(one, *domain, *regions)) asked.push_back(std::move(each));
+  }
+  const Places all = violators(mesh, asked, options);
   const int dimension = quality::dimension_of_simplices(mesh);
   for (std::size_t r = 0; r < all.size(); ++r) {
+    const auto& [requirement, region] = asked[r];
+    std::optional<quality::RegionOfSimplex> region_of;
+    if (region) region_of.emplace(mesh, *regions);
     for (const std::size_t place : all[r]) {
       if (is_set_aside[place]) continue;
-      add_violation(demands.requirements[r], mesh, place, dimension, verdict);
+      if (region && (*region_of)(mesh.simplices[place]) != region) continue;
+      add_violation(requirement, mesh, place, dimension, verdict);
     }
   }
 }

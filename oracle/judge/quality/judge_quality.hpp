@@ -10,8 +10,10 @@
 
 namespace circumspect::check {
 
-// Why the requirements make no sense of this mesh; one line, empty if they do.
-std::string fault_of_quality(const Mesh& mesh, const QualityDemands& demands);
+// Why the requirements make no sense of this mesh; one line, empty if they do. `domain`: that of
+// the claim, if there is one; `is_moved`: up to a distance.
+std::string fault_of_quality(const Mesh& mesh, const QualityDemands& demands, const Domain* domain,
+                             bool is_moved);
 
 // Adds a violation for every simplex and requirement that it does not keep, and says what was
 // required. Simplices that are set apart (of another dimension, flat, or with an index that names
