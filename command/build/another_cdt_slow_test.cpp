@@ -114,7 +114,7 @@ void hold_against_each_other(const std::string& domain, const std::string& mesh,
 TEST_CASE("build cdt, inspect and check agree on cubes with diagonals") {
   const ScratchFolder folder;
   Answers answers;
-  const std::uint64_t inputs = properties::one_input_in() > 1 ? 40 : 150;
+  const std::uint64_t inputs = properties::one_input_in() > 1 ? 28 : 150;
   for (std::uint64_t seed = 0; seed < inputs; ++seed) {
     CAPTURE(seed);
     const std::string domain = folder.write("cubes.poly", RandomDomain(seed).poly());
@@ -122,9 +122,9 @@ TEST_CASE("build cdt, inspect and check agree on cubes with diagonals") {
   }
   MESSAGE(answers.canonical << " canonical, " << answers.another << " another, " << answers.none
                             << " none");
-  CHECK(answers.canonical >= 5);
-  CHECK(answers.another >= 5);
-  CHECK(answers.none >= 5);
+  CHECK(answers.canonical >= 3);
+  CHECK(answers.another >= 3);
+  CHECK(answers.none >= 3);
 }
 
 }  // namespace circumspect::cli

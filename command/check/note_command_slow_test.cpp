@@ -9,7 +9,7 @@ namespace circumspect::cli {
 TEST_CASE(
     "check: where the search for a distance takes much longer than the check, a note proposes it") {
   // A strip of triangles with so many vertices on its two long sides, nearly all of them rounded.
-  constexpr int kLength = 60'000;
+  constexpr int kLength = 40'000;
   const auto x = [](int i) { return i + 0.1; };
   const auto low = [&](int i) { return x(i) / 3; };
   std::string nodes = fmt::format("{} 2 0 0\n", 2 * (kLength + 1));
