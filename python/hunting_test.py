@@ -81,8 +81,8 @@ def test_a_campaign_on_domains(tmp_path):
 
     refuses = (circumspect.NoTriangulation,)
     for dimension in (2, 3):
-        found = circumspect.campaign(right, domains=True, dimension=dimension, cases=40, refuses=refuses)
-        assert found and found.cases == 40, str(found)
+        found = circumspect.campaign(right, domains=True, dimension=dimension, cases=20, refuses=refuses)
+        assert found and found.cases == 20, str(found)
     flat = {"families": ["scattered-cells"], "points": 4, "cases": 150}  # whose hulls nothing fills are left out
     assert circumspect.campaign(right, domains=True, refuses=refuses, **flat)
 

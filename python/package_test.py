@@ -101,10 +101,10 @@ def test_a_notebook_shows_the_pictures():
 
 
 def test_what_a_notebook_keeps_is_small():
-    cells = scipy_mesh(30, 3).simplices
-    moved = np.random.default_rng(3).random((30, 3))
+    cells = scipy_mesh(20, 3).simplices
+    moved = np.random.default_rng(3).random((20, 3))
     many = circumspect.check(moved, cells, "complex", max_errors=0)
-    assert sum(many.rules.values()) > 1000 and len(many._repr_html_()) <= 60000
+    assert sum(many.rules.values()) > 500 and len(many._repr_html_()) <= 60000
     assert 1 <= circumspect.check(moved, cells, "complex")._repr_html_().count("<svg") <= 3
     near = circumspect.check([[0, 0], [1, 0], [1e-300, 1e-300], [0, 1]], [[0, 1, 2]], "triangulation")
     assert "nan" not in near._repr_html_() and "<svg" in near._repr_html_()
