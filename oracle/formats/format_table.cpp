@@ -10,6 +10,7 @@
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/meshb.hpp"
 #include "oracle/formats/mfem.hpp"
 #include "oracle/formats/nastran.hpp"
 #include "oracle/formats/npy.hpp"
@@ -188,6 +189,7 @@ bool is_qhull_i(const Beginning& file) { return file.has_points && file.on_first
 bool is_json(const Beginning& file) { return begins_with(file.text, '{'); }
 bool is_off(const Beginning& file) { return is_off_keyword(file.first_token); }
 bool is_medit(const Beginning& file) { return is_medit_keyword(file.first_token); }
+bool begins_as_meshb(const Beginning& file) { return is_meshb(file.text); }
 bool is_gmsh(const Beginning& file) { return is_gmsh_keyword(file.first_token); }
 bool begins_as_vtk(const Beginning& file) { return is_vtk(file.text); }
 bool begins_as_vtu(const Beginning& file) { return is_vtu(file.text); }
@@ -237,6 +239,7 @@ constexpr std::array kFormats = {
            .domain = read_geojson},
     Format{.endings = {".wkt"}, .is_told = begins_as_wkt, .domain = read_wkt},
     Format{.endings = {".mesh"}, .is_told = is_medit, .elements = read_medit, .write = write_medit},
+    Format{.endings = {".meshb"}, .is_told = begins_as_meshb, .elements = read_meshb},
     Format{.endings = {".msh"}, .is_told = is_gmsh, .elements = read_gmsh, .write = write_gmsh},
     Format{.endings = {".mesh"}, .is_told = is_mfem, .is_meant = is_mfem, .elements = read_mfem},
     Format{.endings = {".msh"}, .is_meant = is_freefem, .elements = read_freefem},

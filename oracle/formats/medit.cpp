@@ -6,6 +6,7 @@
 
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
+#include "oracle/formats/medit_types.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
@@ -36,26 +37,6 @@ constexpr std::array kOtherSections = {
     OtherSection{"SubDomainFromGeom", 4},
 };
 
-// Sections of elements.
-struct ElementSection {
-  std::string_view keyword;
-  std::size_t vertices;
-  ElementShape shape;
-  std::string_view noun;  // of one, without its article
-  std::string_view article = "a";
-};
-constexpr std::array kElementSections = {
-    ElementSection{"Edges", 2, ElementShape::kPolyline, "edge", "an"},
-    ElementSection{"Triangles", 3, ElementShape::kPolygon, "triangle"},
-    ElementSection{"Quadrilaterals", 4, ElementShape::kPolygon, "quadrilateral"},
-    ElementSection{"Tetrahedra", 4, ElementShape::kTetrahedron, "tetrahedron"},
-    ElementSection{"Hexahedra", 8, ElementShape::kOtherSolid, "hexahedron"},
-    ElementSection{"Hexaedra", 8, ElementShape::kOtherSolid, "hexahedron"},
-    ElementSection{"Prisms", 6, ElementShape::kOtherSolid, "prism"},
-    ElementSection{"Pentahedra", 6, ElementShape::kOtherSolid, "prism"},
-    ElementSection{"Pyramids", 5, ElementShape::kOtherSolid, "pyramid"},
-};
-
 class MeditReader {
  public:
   MeditReader(const Source& source, NumberReading reading) : lines_(source), reading_(reading) {}
@@ -78,7 +59,7 @@ class MeditReader {
   Status read_dimension();
   Status read_section();
   Status read_vertices();
-  Status read_elements(const ElementSection& section);
+  Status read_elements(const MeditSection& section);
   Status skip_numbers(const OtherSection& section);
   void skip_unknown();
 
@@ -155,7 +136,7 @@ Status MeditReader::read_vertices() {
   return {};
 }
 
-Status MeditReader::read_elements(const ElementSection& section) {
+Status MeditReader::read_elements(const MeditSection& section) {
   const Result<std::size_t> count = next_count("the number of cells");
   if (!count) return tl::unexpected(count.error());
   const std::string noun(section.noun);
@@ -210,7 +191,7 @@ Status MeditReader::read_section() {
   const std::string_view keyword = token();
   if (keyword == "Dimension") return read_dimension();
   if (keyword == "Vertices") return read_vertices();
-  for (const ElementSection& section : kElementSections) {
+  for (const MeditSection& section : kMeditSections) {
     if (section.keyword == keyword) return read_elements(section);
   }
   for (const OtherSection& section : kOtherSections) {

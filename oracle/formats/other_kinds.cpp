@@ -16,7 +16,6 @@ struct OtherKind {
 };
 
 constexpr std::array kOtherKinds = {
-    OtherKind{".meshb", "Medit's binary form", "python3-meshio"},
     OtherKind{".geo", "a geometry of Gmsh", "gmsh -3 IN.geo -o IN.msh"},
     OtherKind{".step", "a STEP geometry", "gmsh -3 IN.step -o IN.msh"},
     OtherKind{".stp", "a STEP geometry", "gmsh -3 IN.stp -o IN.msh"},

@@ -14,6 +14,7 @@
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/medit.hpp"
+#include "oracle/formats/meshb.hpp"
 #include "oracle/formats/tet.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
@@ -343,6 +344,35 @@ inline std::string tet(const WrittenMesh& mesh, bool is_binary) {
   return out.text;
 }
 
+// Medit's binary form: a section Corners, which is skipped, before the elements, each in a section
+// of its own.
+inline std::string meshb(const WrittenMesh& mesh, ByteOrder order, std::size_t version) {
+  const std::size_t place = version >= 3 ? 8 : 4, integer = version >= 4 ? 8 : 4;
+  std::string text = stored(1, 4, order) + stored(version, 4, order);
+  const auto section = [&](std::size_t code, const std::string& content) {
+    const std::size_t end = text.size() + 4 + place + content.size();
+    text += stored(code, 4, order) + stored(end, place, order) + content;
+  };
+  section(3, stored(3, 4, order));
+  std::string points = stored(mesh.points.size(), integer, order);
+  for (const auto& point : mesh.points) {
+    for (const double x : point) {
+      points += version == 1 ? stored(std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4, order)
+                             : stored(std::bit_cast<std::uint64_t>(x), 8, order);
+    }
+    points += stored(9, integer, order);
+  }
+  section(4, points);
+  section(13, stored(1, integer, order) + stored(1, integer, order));
+  for (const auto& cell : mesh.cells) {
+    std::string content = stored(1, integer, order);
+    for (const int v : cell) content += stored(static_cast<std::size_t>(v) + 1, integer, order);
+    section(cell.size() == 2 ? 5 : 2 * cell.size(), content + stored(7, integer, order));
+  }
+  section(54, "");
+  return text;
+}
+
 inline ElementFile elements_of(const WrittenMesh& mesh) {
   ElementFile file;
   file.points.dimension = 3;
@@ -372,6 +402,9 @@ inline std::vector<WrittenForm> all_forms(const WrittenMesh& mesh) {
     return out.str();
   };
   return {{"medit", ".mesh", true, ours(write_medit)},
+          {"meshb 2", ".meshb", true, meshb(mesh, kLittleEndian, 2)},
+          {"meshb 3, big-endian", ".meshb", true, meshb(mesh, kBigEndian, 3)},
+          {"meshb 4", ".meshb", true, meshb(mesh, kLittleEndian, 4)},
           {"gmsh, ours", ".msh", true, ours(write_gmsh)},
           {"gmsh 2.2", ".msh", true, gmsh_2(mesh, {})},
           {"gmsh 2.2, little-endian", ".msh", true, gmsh_2(mesh, kLittleEndian)},
@@ -403,6 +436,7 @@ inline std::vector<WrittenForm> all_forms(const WrittenMesh& mesh) {
 inline Result<ElementFile> read_form(const WrittenForm& form, NumberReading reading) {
   const Source source{"f", form.text};
   if (form.extension == ".mesh") return read_medit(source, reading);
+  if (form.extension == ".meshb") return read_meshb(source, reading);
   if (form.extension == ".msh") return read_gmsh(source, reading);
   if (form.extension == ".vtk") return read_vtk(source, reading);
   if (form.extension == ".vtu") return read_vtu(source, reading);
