@@ -94,8 +94,8 @@ void judge_dangling_triangles(const MeshedDomain& in, const std::vector<WallPiec
     const std::vector<std::size_t>& axes = in.complex.polygons[polygon[group[0].simplex]].axes;
     const int side = in_ball(points, axes, triangle, apex);
     if (side == 0) ties.see(points, axes, triangle, apex);
-    if (side > 0)
-      add_vertex_in_ball(in.mesh.points, Rule::kDanglingNotDelaunay, triangle, edge, apex, verdict);
+    if (side <= 0) continue;
+    add_vertex_in_ball(in.mesh.points, Rule::kDanglingNotDelaunay, triangle, edge, apex, verdict);
   }
 }
 

@@ -174,8 +174,8 @@ void judge_submerged_point(const ExactMesh& mesh, Vertex q, std::optional<std::s
   const Simplex& simplex = mesh.simplices[*place];
   const int side = in_ball(mesh.points.configuration(), simplex, q);
   ambiguity.see(mesh.points, simplex, q, side);
-  if (side > 0)
-    add_vertex_in_ball(mesh.points, Rule::kPointBelowPlane, simplex, std::nullopt, q, verdict);
+  if (side <= 0) return;
+  add_vertex_in_ball(mesh.points, Rule::kPointBelowPlane, simplex, std::nullopt, q, verdict);
 }
 
 std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
