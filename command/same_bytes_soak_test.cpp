@@ -2,7 +2,7 @@
 // the command.
 #include <doctest/doctest.h>
 
-#include "command/same_bytes.hpp"
+#include "command/same_bytes_test.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 

@@ -1,5 +1,5 @@
 // The same bytes whichever way a triangulation is built, in short; same_bytes_soak_test at length.
-#include "command/same_bytes.hpp"
+#include "command/same_bytes_test.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
-// What adapters of Voronoi diagrams in JavaScript share: `node LIBRARY.mjs x.node` writes cells as qvoronoi does, polygons that the library clipped at
-// the box in which `circumspect check --claim voronoi` compares them: that of the sites, enlarged on each side by half its longest edge.
+// What adapters of Voronoi diagrams in JavaScript share: `node LIBRARY.mjs x.node` writes cells as
+// qvoronoi does, polygons that the library clipped at the box in which `circumspect check --claim
+// voronoi` compares them: that of the sites, enlarged on each side by half its longest edge.
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';

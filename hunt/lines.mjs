@@ -1,4 +1,5 @@
-// What every adapter in JavaScript does: it answers the cases of `circumspect campaign --worker` (docs/workers.md).
+// What every adapter in JavaScript does: it answers the cases of `circumspect campaign --worker`
+// (docs/workers.md).
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -29,7 +30,8 @@ async function answerAll(triangulate, answer) {
   let text = '', rows = [];
   const buffer = Buffer.alloc(1 << 20);
   for (;;) {
-    // Points, their dimension, weights, segments, facets, holes: the last are read, as the hull is filled.
+    // Points, their dimension, weights, segments, facets, holes: the last are read, as the hull is
+    // filled.
     const [count, , , segments = 0, , holes = 0] = (rows[0] ?? '0').split(' ').map(Number);
     if (rows.length === 0 || rows.length <= count + segments + holes) {
       const size = fs.readSync(0, buffer);

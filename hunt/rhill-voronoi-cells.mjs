@@ -1,4 +1,5 @@
-// Each cell has the half-edges around it, in counterclockwise order; the library closes them at the box.
+// Each cell has the half-edges around it, in counterclockwise order; the library closes them at the
+// box.
 import { load, write } from './cells.mjs';
 const Voronoi = (await load('voronoi')).default;
 write((sites, [xl, yt, xr, yb]) => {

@@ -1,4 +1,5 @@
-// @turf/convex wraps concaveman, which is given no limit for concave edges, and takes a convex hull first.
+// @turf/convex wraps concaveman, which is given no limit for concave edges, and takes a convex hull
+// first.
 import { edges, indices, load, serve } from './lines.mjs';
 const { convex } = await load('@turf/convex');
 const feature = coordinates => ({ type: 'Feature', properties: {}, geometry: { type: 'Point', coordinates } });

@@ -1,4 +1,5 @@
-// What a thread answers to a question of worker.mjs. A copy of an error or of a verdict would not be one: their facts are sent.
+// What a thread answers to a question of worker.mjs. A copy of an error or of a verdict would not
+// be one: their facts are sent.
 export const answers = (oracle, say) => ({ number, question, words }) => {
   try {
     const answer = oracle[question](...words);

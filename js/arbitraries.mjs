@@ -1,4 +1,5 @@
-// For fast-check: points of the families that `circumspect generate --list` names, which shrink to few points.
+// For fast-check: points of the families that `circumspect generate --list` names, which shrink to
+// few points.
 import { subarray, tuple, constantFrom, maxSafeNat, integer } from 'fast-check';
 import { generate } from '#index';
 

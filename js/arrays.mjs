@@ -7,7 +7,8 @@ const shown = (value) => {
 };
 
 export class Numbers {
-  // Finite doubles, or texts if some number may not be a double: strings such as "1/3", and BigInts.
+  // Finite doubles, or texts if some number may not be a double: strings such as "1/3", and
+  // BigInts.
   constructor(doubles, texts, columns) { Object.assign(this, { doubles, texts, columns }); }
   get length() { return (this.doubles ?? this.texts).length; }
   get rows() { return this.columns === 0 ? 0 : this.length / this.columns; }
@@ -99,8 +100,9 @@ export function countOf(value, what) {
   throw new RangeError(`expected ${what} as a whole number from 0 to ${FITS - 1}, found ${shown(value)}`);
 }
 
-// Indices of points, as 32-bit or, if one of them needs it, as 64-bit integers. What is not an integer is refused; an integer that
-// names no point is a fault of the mesh, which the library reports.
+// Indices of points, as 32-bit or, if one of them needs it, as 64-bit integers. What is not an
+// integer is refused; an integer that names no point is a fault of the mesh, which the library
+// reports.
 export function indicesOf(values, what, columns) {
   const { all, columns: width } = flat(values, what, columns);
   if (all instanceof Int32Array || all instanceof Int16Array || all instanceof Uint16Array || all instanceof Uint8Array) {
@@ -129,7 +131,8 @@ export function simplicesOf(given) {
   return isArray(given) || !isArray(given?.simplices) ? { simplices: given } : { simplices: given.simplices, vertices: given.vertices };
 }
 
-// Points and simplices of what libraries return: Delaunator and d3-delaunay, or an object that has both.
+// Points and simplices of what libraries return: Delaunator and d3-delaunay, or an object that has
+// both.
 export function partsOf(mesh) {
   if (mesh === null || typeof mesh !== 'object' || isArray(mesh)) {
     throw new TypeError(`expected points and simplices, or an object that has both, found ${shown(mesh)}`);

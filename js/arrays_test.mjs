@@ -1,4 +1,5 @@
-// What is read of scripts' arrays, and what the package says that it has: node --test arrays_test.mjs, without the library.
+// What is read of scripts' arrays, and what the package says that it has: node --test
+// arrays_test.mjs, without the library.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -7,8 +7,8 @@ const answer = await fetch(place);
 if (!answer.ok) throw new Error(`expected the compiled library at ${place}, found ${answer.status} ${answer.statusText}`);
 const code = await WebAssembly.compile(await answer.arrayBuffer());
 
-// The first instance is made without stopping the page, which a browser demands; one that takes the place of a broken one is made
-// at once.
+// The first instance is made without stopping the page, which a browser demands; one that takes the
+// place of a broken one is made at once.
 async function start() {
   const said = [];
   let exports;

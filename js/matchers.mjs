@@ -1,5 +1,5 @@
-// For Vitest and Jest: expect.extend(matchers). What is received is an object with points and simplices, a Delaunator, or
-// d3's Delaunay; the message of a failure has the witness.
+// For Vitest and Jest: expect.extend(matchers). What is received is an object with points and
+// simplices, a Delaunator, or d3's Delaunay; the message of a failure has the witness.
 import { check } from '#index';
 
 function judged(received, options, isNot) {

@@ -3,8 +3,8 @@
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-// What the library asks of a system: to write somewhere, the time, and to end. It has no files. It writes only when it must end:
-// `said` then has its last words.
+// What the library asks of a system: to write somewhere, the time, and to end. It has no files. It
+// writes only when it must end: `said` then has its last words.
 export function imports(memory, said) {
   const view = () => new DataView(memory().buffer);
   const wasi = {

@@ -53,11 +53,13 @@ export class Verdict {
   get causes() { return this.report.causes ?? []; }
 }
 
-// A trap, an exception of C++ and a stack that is full leave the library's memory in no state to go on with.
+// A trap, an exception of C++ and a stack that is full leave the library's memory in no state to go
+// on with.
 const breaksLibrary = (fault) => fault instanceof WebAssembly.RuntimeError || fault instanceof WebAssembly.Exception ||
   (fault instanceof RangeError && /call stack/.test(fault.message));
 
-// Why the library ended: GMP says so when there is no memory for a number, and an assertion says which it is.
+// Why the library ended: GMP says so when there is no memory for a number, and an assertion says
+// which it is.
 function endOf(fault, said) {
   const words = said.join('').trim();
   if (words !== '' && !/memory/i.test(words)) return new Error(`internal error: ${words}; please report it`, { cause: fault });
@@ -135,7 +137,8 @@ export function oracle(instantiate) {
       library.domain_segments(made, indices.length / 2, one.ints(indices));
     }
     if (part('polygons').length > 0) {
-      // A polygon is a list of corners, or of several such lists: its outline, holes, segments, vertices.
+      // A polygon is a list of corners, or of several such lists: its outline, holes, segments,
+      // vertices.
       const lines = Array.from(asked.polygons, (given) => {
         const polygon = listOf(given, 'a polygon');
         return typeof polygon[0] === 'number' ? [polygon] : Array.from(polygon, (line) => listOf(line, 'a line of a polygon'));
@@ -220,7 +223,8 @@ export function oracle(instantiate) {
 
   return {
     check,
-    // The canonical Delaunay triangulation of points, weighted if `weights` are given: { simplices, vertices }, flat.
+    // The canonical Delaunay triangulation of points, weighted if `weights` are given: { simplices,
+    // vertices }, flat.
     delaunay: (values, options = {}) => call((one) => {
       refuseUnknown(options, OPTIONS.points);
       return triangulation(one, one.owned(result(one, 'delaunay', pointSet(one, values, options)), 'triangulation_delete'));
@@ -244,7 +248,8 @@ export function oracle(instantiate) {
       const text = one.string(library.document_text(one.owned(one.read(document), 'document_delete')));
       return { holds: one.read(holds) === 1, text };
     }),
-    // The points that a seed stands for, the same on every machine: { points, dimension, weights }, flat.
+    // The points that a seed stands for, the same on every machine: { points, dimension, weights },
+    // flat.
     generate: (family, options = {}) => call((one) => {
       refuseUnknown(options, OPTIONS.generate);
       const { dimension = 2, count = 20, seed = 0 } = options;

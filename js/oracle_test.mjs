@@ -1,4 +1,5 @@
-// What the package answers, as its users ask it:   node --test js/oracle_test.mjs   CIRCUMSPECT_PACKAGE is the folder of it.
+// What the package answers, as its users ask it:   node --test js/oracle_test.mjs
+// CIRCUMSPECT_PACKAGE is the folder of it.
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';

@@ -1,4 +1,5 @@
-// What the package has besides its sources: where it comes from, its page, its licences, and the modules for require().
+// What the package has besides its sources: where it comes from, its page, its licences, and the
+// modules for require().
 //   node pack.mjs ROOT PACKAGE VERSION LICENCES     esbuild is in NODE_PATH
 import { createRequire } from 'node:module';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -13,7 +14,8 @@ const [, home] = read(root, 'pyproject.toml').match(/^Source = "(\S+)"$/m);
 const described = { ...JSON.parse(read(sources, 'package.json')), version, homepage: `${home}/blob/v${version}/docs/javascript.md`,
   repository: { type: 'git', url: `git+${home}.git`, directory: 'js' }, bugs: `${home}/issues` };
 writeFileSync(join(folder, 'package.json'), `${JSON.stringify(described, null, 2)}\n`);
-// As the registry shows it: links lead to the sources of this version, and what says which file an example is goes.
+// As the registry shows it: links lead to the sources of this version, and what says which file an
+// example is goes.
 writeFileSync(join(folder, 'README.md'), read(root, 'docs', 'javascript.md').replaceAll(/^<!-- file: .*\n/gm, '')
   .replaceAll(/\]\((?!https?:|#)/g, `](${home}/blob/v${version}/docs/`));
 const texts = [['Circumspect', read(root, 'LICENSE')], ...readdirSync(licences).sort().map((name) => [name, read(licences, name)])];

@@ -1,5 +1,5 @@
-// Prints how large the package is and how long its verdicts take in Node:   node js/times.mjs build/web
-// The goals are at most 2 MB, at least 5,000 verdicts a second, and at most 1.5 s.
+// Prints how large the package is and how long its verdicts take in Node:   node js/times.mjs
+// build/web The goals are at most 2 MB, at least 5,000 verdicts a second, and at most 1.5 s.
 import { readdirSync, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -28,7 +28,8 @@ for (const dimension of [2, 3]) {
   console.log(`12 points, d = ${dimension}  ${Math.round(meshes.length / least)} verdicts a second`);
 }
 
-// Each cube of a grid as five tetrahedra, mirrored from cube to cube so that they fit: 59³·5 = 1,026,895 of them.
+// Each cube of a grid as five tetrahedra, mirrored from cube to cube so that they fit: 59³·5 =
+// 1,026,895 of them.
 const n = 59;
 const at = (x, y, z) => (x * (n + 1) + y) * (n + 1) + z;
 const points = new Float64Array(3 * (n + 1) ** 3);

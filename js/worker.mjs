@@ -1,4 +1,5 @@
-// The oracle in a thread of its own: a page goes on meanwhile, and what takes too long can be ended.
+// The oracle in a thread of its own: a page goes on meanwhile, and what takes too long can be
+// ended.
 import { InputError, NoneError, UndecidedError, Verdict } from './oracle.mjs';
 
 const FAULTS = { InputError, NoneError, UndecidedError, RangeError, TypeError };
@@ -21,7 +22,8 @@ async function threadOf(hears, ended) {
   return { worker, keeps: (isAsked) => (isAsked ? worker.ref() : worker.unref()) };
 }
 
-// The functions of the module, each of which gives a promise; end() ends the thread, and what was asked is rejected.
+// The functions of the module, each of which gives a promise; end() ends the thread, and what was
+// asked is rejected.
 export async function startWorker() {
   const waiting = new Map();
   let reason;

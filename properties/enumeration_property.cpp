@@ -78,10 +78,11 @@ TEST_CASE("every triangulation that the exhaustive search finds is one") {
 
 // Both searches give the same triangulations. In the plane that is a theorem (Section 4.4, "For
 // every planar point set, its flip graph is connected"); "the question remains open in three and
-// four dimensions". For at most d+4 points it is one too if flips may create and delete vertices
-// (M. Azaola, F. Santos, The graph of triangulations of a point configuration with d+4 vertices is
-// 3-connected, 2000); with all points kept it is what we have always seen of so few. A set on which
-// it fails is not a fault of the code before both lists have been held against TOPCOM's.
+// four dimensions". For at most d+4 points it is a theorem as well, if flips may create and delete
+// vertices (M. Azaola, F. Santos, The graph of triangulations of a point configuration with d+4
+// vertices is 3-connected, 2000); with all points kept it is what we have always seen of so few. A
+// set on which it fails is not a fault of the code before both lists have been held against
+// TOPCOM's.
 TEST_CASE("the flip graph is connected: breadth-first search finds all triangulations (Sec. 4.4)") {
   for (const std::size_t d : {1u, 2u, 3u, 4u}) {
     CAPTURE(d);

@@ -9,6 +9,7 @@
 #include "construct/edge_protection.hpp"
 #include "inputs/in_doubles.hpp"
 #include "kernel/complex/circumball.hpp"
+#include "kernel/complex/measure.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/complexes.hpp"
@@ -122,23 +123,8 @@ bool is_protected_by_definition(const PiecewiseLinearComplex& complex) {
   });
 }
 
-// The squared measure of simplices of one plane is not rational; but projected on two axes it is.
-Rational area(const PointSet& points, const Polygon& polygon,
-              const std::vector<Simplex>& triangles) {
-  Rational sum = 0;
-  for (const Simplex& triangle : triangles) {
-    sum += abs(orientation_determinant(points.configuration(), polygon.axes, triangle));
-  }
-  return sum;
-}
-
 Rational volume(const PointSet& points, const std::vector<Simplex>& simplices) {
-  Rational sum = 0;
-  for (const Simplex& simplex : simplices) {
-    sum += abs(
-        orientation_determinant(points.configuration(), points.configuration().axes(), simplex));
-  }
-  return sum;
+  return measure(points, points.configuration().axes(), simplices);
 }
 
 // The augmented complex has the old polygons, with all of their vertices.
@@ -148,8 +134,8 @@ void assert_same_polygons(const PiecewiseLinearComplex& complex,
   for (std::size_t i = 0; i < complex.polygons.size(); ++i) {
     const Polygon& before = complex.polygons[i];
     const Polygon& after = augmented.polygons[i];
-    RC_ASSERT(area(augmented.points, after, after.triangles) ==
-              area(complex.points, before, before.triangles));
+    RC_ASSERT(measure(augmented.points, after.axes, after.triangles) ==
+              measure(complex.points, before.axes, before.triangles));
     RC_ASSERT(std::includes(after.vertices.begin(), after.vertices.end(), before.vertices.begin(),
                             before.vertices.end()));
     for (const Simplex& segment : after.segments) {
@@ -177,8 +163,8 @@ void assert_conforms(const PiecewiseLinearComplex& complex, const PlcTriangulati
     for (const Simplex& face : faces) {
       if (face.size() == 3 && is_included(complex.points, face, polygon)) included.push_back(face);
     }
-    RC_ASSERT(area(complex.points, polygon, included) ==
-              area(complex.points, polygon, polygon.triangles));
+    RC_ASSERT(measure(complex.points, polygon.axes, included) ==
+              measure(complex.points, polygon.axes, polygon.triangles));
   }
 }
 
@@ -196,12 +182,7 @@ TEST_CASE("C8 the canonical triangulation tells which segments are (strongly) De
     const ComplexCase one = in_plane ? *small_planar_complexes() : *small_complexes();
     const PointSet points(one.input.points);
     const StarIndex canonical = canonical_delaunay(points);
-    std::vector<Simplex> pairs;
-    Simplex pair = first_subset(2);
-    if (points.size() >= 2) {
-      do pairs.push_back(pair);
-      while (next_subset(pair, points.size()));
-    }
+    const std::vector<Simplex> pairs = faces(all_vertices(points), 2);
     for (const SegmentProtection& found : edge_protection(points, canonical, pairs)) {
       const auto expected = delaunay::delaunayhood(points, found.segment);
       RC_ASSERT(found.status.delaunayhood == expected.delaunayhood);
@@ -243,12 +224,7 @@ TEST_CASE("C8 the fast construction tells the same of all segments") {
     const bool in_plane = *rc::gen::arbitrary<bool>();
     const ComplexCase one = in_plane ? *small_planar_complexes() : *small_complexes();
     const PointSet points(generators::in_doubles(generators::PointsCase{one.input.points}).points);
-    std::vector<Simplex> pairs;
-    Simplex pair = first_subset(2);
-    if (points.size() >= 2) {
-      do pairs.push_back(pair);
-      while (next_subset(pair, points.size()));
-    }
+    const std::vector<Simplex> pairs = faces(all_vertices(points), 2);
     const PiecewiseLinearComplex complex{points, pairs, {}, {}, DomainKind::kHull};
     const construct::EdgeProtection protection(complex);
     const auto facts = protection.segments();

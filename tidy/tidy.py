@@ -115,7 +115,8 @@ LONGEST_FUNCTION = 60  # a screen; a table that a function returns is read row b
 WIDEST_COMMENT = 100
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
 CPP = (".hpp", ".cpp", ".h")
-SOURCES = CPP + (".py", ".sh", ".cmake", "CMakeLists.txt")
+SCRIPTS = (".js", ".mjs")
+SOURCES = CPP + SCRIPTS + (".py", ".sh", ".cmake", "CMakeLists.txt")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 NUMBER_LIBRARY = re.compile(r"\b(mp[zqf]_\w+|mpfr_\w+|__gmp\w+|gmp_\w+)|<(gmp|gmpxx|mpfr)\.h>")
@@ -126,8 +127,8 @@ COORDINATE = r"\b[A-Za-z_]\w*(?:\.at)?(?:\[(?:[^\[\]\n]|\[\w+\])+\]|\.[xyz]\b)"
 FACTOR = rf"({COORDINATE}|\({COORDINATE}\s-\s{COORDINATE}\))"
 CROSSWISE = re.compile(rf"{FACTOR}\s+\*\s+{FACTOR}(?:\s+[-<>]\s+|\s+==\s+|,\s+){FACTOR}\s+\*\s+{FACTOR}")
 PLACE = re.compile(r"\[(?:[^\[\]]|\[\w+\])+\]|\.[xyz]\b")
-BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?(-{3,} .*-{3,}|─{2,} .*─{2,})")
-COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP, "//")}
+BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?(-{3,} .*-{3,}|-{8,} ?\w|─{2,} .*─{2,})")
+COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP + SCRIPTS, "//")}
 NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 LAYER = re.compile(r"circumspect_layer\((\w+)\s+([\w/]+)([^)]*)\)")

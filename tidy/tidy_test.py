@@ -153,7 +153,8 @@ class Style(unittest.TestCase):
 
     def test_no_banner_replaces_a_file(self):
         for path, line in [("kernel/exact/a.cpp", "// ---- Points ----"), ("kernel/exact/a.hpp", "  // --- Points ---"),
-                           ("python/a.py", "# ---- points ----"), ("oracle/judge/fast/a.cpp", "  // ── Points ──────"), ("cmake/a.cmake", "# ---- points ----")]:
+                           ("python/a.py", "# ---- points ----"), ("oracle/judge/fast/a.cpp", "  // ── Points ──────"), ("cmake/a.cmake", "# ---- points ----"),
+                           ("js/a.mjs", "// ---- Points ----"), ("python/a.py", "# ---------------- points")]:
             self.assertEqual(rules(path, line + "\n"), ["banner"], line)
         for line in ["// a -- b", "// --points and --mesh", "// ----", "int a = b--- --c;"]:
             self.assertEqual(rules("kernel/exact/a.cpp", line + "\n"), [], line)

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::cli {

@@ -1,7 +1,7 @@
 // A domain in a plane of space: what is built of it has points as the domain has them.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

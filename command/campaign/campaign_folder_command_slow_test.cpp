@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 
 #include "command/campaign/program_test.hpp"
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "command/check/certified_meshes_test.hpp"
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

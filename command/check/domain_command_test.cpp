@@ -1,7 +1,7 @@
 // check --domain, inspect of a domain and build of its triangulations, as their users run them.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 

@@ -1,7 +1,7 @@
 // check --claim complex --faces: what files list beside their simplices, in every format that does.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -2,7 +2,7 @@
 // listed them.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::cli {

@@ -2,7 +2,7 @@
 // message says so.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

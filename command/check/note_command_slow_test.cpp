@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 

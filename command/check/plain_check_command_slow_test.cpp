@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
 

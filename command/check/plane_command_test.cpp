@@ -2,7 +2,7 @@
 // formats.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "oracle/formats/flat_square_test.hpp"
 
 namespace circumspect::cli {

@@ -1,7 +1,7 @@
 // --require and --except-sharp of check and certify.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -1,7 +1,7 @@
 // Reports of `check` for CI, beside the text and the page of the same run.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "inputs/scratch_folder_test.hpp"
 
 namespace circumspect::cli {

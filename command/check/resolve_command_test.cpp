@@ -1,7 +1,7 @@
 // Domains and meshes as people have them: --resolve, --drop, corners that were rounded.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -54,7 +54,8 @@ struct ComparedFiles {
   const std::string& b;
 };
 
-// What only one of them has, a line each; the last line; all of it.
+// For people, a line for each thing that only one of them has, and the last line, which sums them
+// up; for programs, all of it as one document.
 std::string text_of(const Comparison& comparison);
 std::string line_of(const ComparedFiles& files, const Comparison& comparison);
 report::Json json_of(const ComparedFiles& files, const Comparison& comparison,

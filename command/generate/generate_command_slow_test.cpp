@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 #include "inputs/families.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "properties/arguments/run.hpp"

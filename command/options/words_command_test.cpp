@@ -1,7 +1,7 @@
 // Words and values of options that mean nothing: they are named, with the nearest right one.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 

@@ -1,7 +1,7 @@
 // What nobody waits for is said beforehand.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -1,7 +1,7 @@
 // circumspect rule, as its users run it.
 #include <doctest/doctest.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 namespace {

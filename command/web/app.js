@@ -1,4 +1,5 @@
-// The page: files, a question, and the answer. The command itself runs in a worker, which is ended to cancel.
+// The page: files, a question, and the answer. The command itself runs in a worker, which is ended
+// to cancel.
 import { button, element } from '../../oracle/picture/page/elements.js';
 import { Plane } from './draw.js';
 import { figures } from './figures.js';
@@ -43,8 +44,6 @@ let files = [];  // { name, text } or { name, bytes }
 let running;     // what ends the run that goes on
 let next = 0;
 
-// ---- The worker ----
-
 const source = byId('worker').textContent;
 const code = unpacked(bytesOf(byId('wasm').textContent), 'gzip').then((bytes) => WebAssembly.compile(bytes));
 let worker;
@@ -83,8 +82,6 @@ async function run(words, wanted = []) {
     one.postMessage({ id, words, files: given.map((file) => ({ ...file, bytes: file.bytes.slice() })), wanted });
   });
 }
-
-// ---- The question ----
 
 const value = (id) => byId(id).value;
 
@@ -147,7 +144,8 @@ function fileEntry(file) {
   return element('li', {}, ...parts);
 }
 
-// Adds files, or puts them in the place of those that bear their names, and guesses what is asked about them.
+// Adds files, or puts them in the place of those that bear their names, and guesses what is asked
+// about them.
 function add(some) {
   for (const file of some) {
     files = files.filter((one) => one.name !== file.name);
@@ -201,8 +199,6 @@ function take(given) {
   if (drawn?.text && triangles?.text) plane.readTriangles(triangles.text);
   showCommand();
 }
-
-// ---- The answer ----
 
 const meanings = { 0: 'holds', 1: 'fails', 2: 'usage', 3: 'input', 4: 'undecided', 5: 'error' };
 
@@ -272,8 +268,6 @@ function keepBuilt(written) {
   refresh();
 }
 
-// ---- Drawing ----
-
 const plane = new Plane(async (flipped) => {
   running?.();
   const others = files.filter((file) => !file.name.startsWith('drawn.'));
@@ -288,8 +282,6 @@ const plane = new Plane(async (flipped) => {
   const triangles = files.find((file) => file.name === 'drawn.ele');
   if (!flipped && triangles) plane.readTriangles(triangles.text);
 });
-
-// ---- What is pressed ----
 
 byId('draw').append(plane.node);
 byId('question').addEventListener('submit', (event) => {

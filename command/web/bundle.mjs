@@ -1,5 +1,7 @@
-// Makes of the compiled command, and of the sources beside this, one page that needs no server and no other file.
-//   node bundle.mjs BUILD OUTPUT        BUILD has circumspect.js, circumspect.wasm and licences/; esbuild is in NODE_PATH
+// Makes of the compiled command, and of the sources beside this, one page that needs no server and
+// no other file.
+//   node bundle.mjs BUILD OUTPUT
+// BUILD has circumspect.js, circumspect.wasm and licences/; esbuild is in NODE_PATH.
 import { createHash } from 'node:crypto';
 import { createRequire } from 'node:module';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -23,7 +25,8 @@ const style = esbuild.transformSync(['page.css', 'roles.css'].map((name) => read
 const rows = read(here, '..', '..', 'oracle', 'model', 'claim.cpp').matchAll(/\{Claim::\w+, "([a-z-]+)"/g);
 const claims = Array.from(rows, ([, claim]) => claim);
 if (claims.length === 0) throw new Error('expected a row for each claim in oracle/model/claim.cpp, found none');
-// The licences of all that is compiled into the page, and the project's own: one text, which the page unpacks when it is asked for.
+// The licences of all that is compiled into the page, and the project's own: one text, which the
+// page unpacks when it is asked for.
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
 const licences = [['Circumspect', read(here, '..', '..', 'LICENSE')],
   ...readdirSync(join(build, 'licences')).sort().map((name) => [name, read(build, 'licences', name)])]
@@ -36,7 +39,8 @@ const parts = {
   licences: packed(licences),
   script: inScript(bundled('app.js')),
 };
-// The page runs its own script and, in a frame that inherits its policy, that of the pages of pictures: no other, whatever gets into it.
+// The page runs its own script and, in a frame that inherits its policy, that of the pages of
+// pictures: no other, whatever gets into it.
 parts.hash = `sha256-${createHash('sha256').update(parts.script).digest('base64')}`;
 [parts['hash of pictures']] = read(page, 'page.built.html').match(/sha256-[\w+/]+=/);
 writeFileSync(output, read(here, 'web.html').replace(/\{\{(style|claims|worker|wasm|licences|script|hash|hash of pictures)\}\}/g, (_, name) => parts[name]));

@@ -1,5 +1,6 @@
-// Does the page that bundle.mjs makes allow its own scripts and no others, and offer the claims that the command knows? What is compiled
-// takes minutes and is not looked at: something else is in its place.
+// Does the page that bundle.mjs makes allow its own scripts and no others, and offer the claims
+// that the command knows? What is compiled takes minutes and is not looked at: something else is in
+// its place.
 //   node bundle_test.mjs COMMAND        The modules are in the first folder that NODE_PATH names.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';

@@ -1,5 +1,6 @@
-// Points of the plane drawn by hand, their triangulation, and edges that are flipped: what makes the files drawn.node
-// and drawn.ele. Coordinates are whole numbers, so that all that is computed here is exact.
+// Points of the plane drawn by hand, their triangulation, and edges that are flipped: what makes
+// the files drawn.node and drawn.ele. Coordinates are whole numbers, so that all that is computed
+// here is exact.
 import { element, svg } from '../../oracle/picture/page/elements.js';
 
 const width = 600;

@@ -1,6 +1,9 @@
-// One run of the command, compiled for the web, in a memory of its own: for the page's worker, and for tests in Node.
-//   make: the factory that Emscripten wrote (circumspect.js); code: the compiled module (circumspect.wasm)
-//   words: the command line; files: [{ name, bytes }], what it may read, by their names in its folder
+// One run of the command, compiled for the web, in a memory of its own: for the page's worker, and
+// for tests in Node.
+//   make: the factory that Emscripten wrote (circumspect.js); code: the compiled module
+// (circumspect.wasm)
+//   words: the command line; files: [{ name, bytes }], what it may read, by their names in its
+// folder
 //   wanted: names of files that it may write
 // Gives { exit, out, err, written }, all but `exit` as bytes.
 const folder = '/input';

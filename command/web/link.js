@@ -1,4 +1,5 @@
-// The whole state of the page in its link: what is asked, and all files, as packed JSON behind the #.
+// The whole state of the page in its link: what is asked, and all files, as packed JSON behind the
+// #.
 const kLongest = 60_000;  // characters: what trackers and mail programs leave whole
 
 async function through(stream, bytes) {

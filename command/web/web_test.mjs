@@ -1,10 +1,14 @@
-// Holds the command that was compiled for the web to what the command prints, and uses the page as people do.
-//   node web_test.mjs FOLDER            a slice of the golden bytes of the corpus; the page in Chromium
+// Holds the command that was compiled for the web to what the command prints, and uses the page as
+// people do.
+//   node web_test.mjs FOLDER            a slice of the golden bytes of the corpus; the page in
+// Chromium
 //   node web_test.mjs FOLDER --all      all golden bytes
 //   node web_test.mjs FOLDER --page     the page in Chromium alone
-//   node web_test.mjs FOLDER --times [COMMAND]    how large the page is, how long some verdicts take in Node, and how many times
+//   node web_test.mjs FOLDER --times [COMMAND]    how large the page is, how long some verdicts
+// take in Node, and how many times
 //                                                 as long as by COMMAND on one thread
-// FOLDER has index.html, circumspect.js and circumspect.wasm. The modules are in the first folder that NODE_PATH names.
+// FOLDER has index.html, circumspect.js and circumspect.wasm. The modules are in the first folder
+// that NODE_PATH names.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { execFileSync } from 'node:child_process';
@@ -23,8 +27,6 @@ const require = createRequire(join(modules, 'none.js'));
 const make = createRequire(import.meta.url)(resolve(folder, 'circumspect.js'));
 const code = new WebAssembly.Module(readFileSync(join(folder, 'circumspect.wasm')));
 const text = (bytes) => new TextDecoder().decode(bytes);
-
-// ---- Golden bytes ----
 
 const corpus = join(root, 'corpus');
 function filesOf(path) {
@@ -57,8 +59,6 @@ async function golden(every) {
   console.log(`golden bytes: ${tried} command lines, ${wrong.length} differ`);
   assert.equal(wrong.length, 0, `\n${wrong.slice(0, 20).join('\n')}`);
 }
-
-// ---- The page ----
 
 const html = join(folder, 'index.html');
 
@@ -235,8 +235,6 @@ async function inChromium() {
   }
 }
 
-// ---- Times ----
-
 // Points of a cube with whole coordinates, by a generator that is the same everywhere.
 function manyPoints(count) {
   let state = 1;
@@ -244,8 +242,8 @@ function manyPoints(count) {
   return `${count} 3 0 0\n${Array.from({ length: count }, (_, i) => `${i + 1} ${next()} ${next()} ${next()}\n`).join('')}`;
 }
 
-// Cells of a grid of n³ cubes, five each, in the pattern that fits from cube to cube; all corners of a cube are
-// cospherical, so the mesh is Delaunay.
+// Cells of a grid of n³ cubes, five each, in the pattern that fits from cube to cube; all corners
+// of a cube are cospherical, so the mesh is Delaunay.
 function gridMesh(n) {
   const at = (x, y, z) => 1 + x + (n + 1) * (y + (n + 1) * z);
   const nodes = [];

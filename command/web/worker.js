@@ -1,5 +1,6 @@
-// What the page has in a worker, so that it never freezes: one run of the command after another. The first message
-// brings the compiled module; each other one a run. `make` is circumspect.js, which stands before this.
+// What the page has in a worker, so that it never freezes: one run of the command after another.
+// The first message brings the compiled module; each other one a run. `make` is circumspect.js,
+// which stands before this.
 /* global circumspect */
 import { judge } from './judge.mjs';
 

@@ -1,4 +1,5 @@
-// A worker for `circumspect campaign --worker --dimension 2 -- node mine.mjs`: it answers each case with simplices.
+// A worker for `circumspect campaign --worker --dimension 2 -- node mine.mjs`: it answers each case
+// with simplices.
 import { createInterface } from 'node:readline';
 import Delaunator from 'delaunator';
 

@@ -68,9 +68,20 @@ void write_scale(Lines& lines, const ScaledPoints& points);
 // Coordinates, and the weight if `weighted`.
 void write_point(Lines& lines, const ScaledPoints& points, Vertex v, bool weighted);
 
+// The first line of a section, which has so many more.
+void begin_section(Lines& lines, std::string_view name, std::size_t count);
+
 // All points in this order, each with the index by which the user knows it.
-void write_points(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
-                  const std::vector<Vertex>& order);
+template <class AnyMesh>
+void write_points(Lines& lines, const AnyMesh& mesh, const ScaledPoints& points,
+                  const std::vector<Vertex>& order, bool weighted = false) {
+  begin_section(lines, "points", order.size());
+  for (const Vertex v : order) {
+    write_point(lines, points, v, weighted);
+    lines.gap() << mesh.label(v);
+    lines.end_line();
+  }
+}
 
 // Numerators and denominator.
 void write_point(Lines& lines, const HomogeneousPoint& point);

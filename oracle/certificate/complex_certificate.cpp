@@ -384,8 +384,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& c
   write_first_line(lines, "circumspect-certificate 1", Claim::kComplex,
                    certificate.points.dimension);
   write_scale(lines, certificate.points);
-  lines << "points" << certificate.order.size();
-  lines.end_line();
+  begin_section(lines, "points", certificate.order.size());
   const std::vector<std::size_t> number = numbers_in(certificate.order);
   for (const Vertex v : certificate.order) {
     write_point(lines, certificate.points, v, false);
@@ -411,8 +410,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& c
     }
     lines.end_line();
   }
-  lines << "order" << certificate.sequence.size();
-  lines.end_line();
+  begin_section(lines, "order", certificate.sequence.size());
   for (const std::size_t s : certificate.sequence) {
     lines << s + 1;
     lines.end_line();

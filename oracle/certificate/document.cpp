@@ -138,16 +138,14 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
   write_first_line(lines, "circumspect-refutation 2", refutation.claim, points.dimension,
                    words.empty() ? identifier(refutation.rule) : words);
   write_scale(lines, points);
-  lines << "points" << mesh.points.size();
-  lines.end_line();
-  for (Vertex v = 0; mesh.points.names(v); ++v) {
-    write_point(lines, points, v, refutation.claim == Claim::kWeightedDelaunay);
-    lines.gap() << mesh.label(v);
-    lines.end_line();
-  }
-  lines << "simplices" << mesh.simplices.size();
-  lines.end_line();
-  for (const Simplex& simplex : mesh.simplices) {
+  write_points(lines, mesh, points, all_vertices(mesh.points),
+               refutation.claim == Claim::kWeightedDelaunay);
+  write_simplices(lines, mesh.simplices);
+}
+
+void write_simplices(Lines& lines, const std::vector<Simplex>& simplices) {
+  begin_section(lines, "simplices", simplices.size());
+  for (const Simplex& simplex : simplices) {
     lines << simplex.size();
     lines.gap();
     for (const Vertex v : simplex) lines << to_integer(v) + 1;
@@ -155,15 +153,15 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
   }
 }
 
-void write_basis(Lines& lines, const Refutation& refutation) {
+void write_basis(Lines& lines, const std::vector<std::size_t>& basis) {
   lines << "spans";
-  for (const std::size_t v : refutation.basis) lines << v + 1;
+  for (const std::size_t v : basis) lines << v + 1;
   lines.end_line();
 }
 
-void write_because(Lines& lines, const Refutation& refutation) {
+void write_because(Lines& lines, const std::vector<Integer>& because) {
   lines << "because";
-  for (const Integer& token : refutation.because) lines << token;
+  for (const Integer& token : because) lines << token;
   lines.end_line();
   lines << "end";
   lines.end_line();
@@ -178,9 +176,9 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
   const bool is_flat = !spans && needs_basis;
   const std::string words = fmt::format("{} flat", identifier(refutation.rule));
   write_mesh(lines, mesh, points, refutation, is_flat ? words : "");
-  if (needs_basis) write_basis(lines, refutation);
+  if (needs_basis) write_basis(lines, refutation.basis);
   if (is_flat) write_pads(lines, mesh, points);
-  write_because(lines, refutation);
+  write_because(lines, refutation.because);
 }
 
 namespace {

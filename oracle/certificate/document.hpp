@@ -43,11 +43,12 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation);
 // Its parts: the points and simplices, where the first line ends with the rule or, instead of it,
-// with `words`; the line `spans`; and the line `because`, with the end.
+// with `words`; the simplices alone; the line `spans`; and the line `because`, with the end.
 void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
                 const Refutation& refutation, std::string_view words = "");
-void write_basis(Lines& lines, const Refutation& refutation);
-void write_because(Lines& lines, const Refutation& refutation);
+void write_simplices(Lines& lines, const std::vector<Simplex>& simplices);
+void write_basis(Lines& lines, const std::vector<std::size_t>& basis);
+void write_because(Lines& lines, const std::vector<Integer>& because);
 
 // A verdict with what proves it to somebody who trusts neither this program nor the one that made
 // the mesh.

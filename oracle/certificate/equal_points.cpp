@@ -49,29 +49,10 @@ void write(std::ostream& out, const Mesh& mesh, const EqualPoints& equal) {
   write_first_line(lines, "circumspect-refutation 2", Claim::kComplex, equal.points.dimension,
                    identifier(Rule::kPointsEqual));
   write_scale(lines, equal.points);
-  lines << "points" << equal.points.size();
-  lines.end_line();
-  for (Vertex v = 0; mesh.names(v); ++v) {
-    write_point(lines, equal.points, v, false);
-    lines.gap() << mesh.label(v);
-    lines.end_line();
-  }
-  const std::vector<Simplex> simplices = mesh.simplices.lists();
-  lines << "simplices" << simplices.size();
-  lines.end_line();
-  for (const Simplex& simplex : simplices) {
-    lines << simplex.size();
-    lines.gap();
-    for (const Vertex v : simplex) lines << to_integer(v) + 1;
-    lines.end_line();
-  }
-  lines << "spans";
-  for (const std::size_t v : equal.basis) lines << v + 1;
-  lines.end_line();
-  lines << "because" << to_integer(equal.first) + 1 << to_integer(equal.second) + 1;
-  lines.end_line();
-  lines << "end";
-  lines.end_line();
+  write_points(lines, mesh, equal.points, first_subset(equal.points.size()));
+  write_simplices(lines, mesh.simplices.lists());
+  write_basis(lines, equal.basis);
+  write_because(lines, {to_integer(equal.first) + 1, to_integer(equal.second) + 1});
 }
 
 }  // namespace circumspect::certificate

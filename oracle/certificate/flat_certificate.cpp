@@ -46,8 +46,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const FlatCertificate& cert
   for (const Integer& x : certificate.normal) lines << x;
   lines << certificate.offset;
   lines.end_line();
-  lines << "unseen" << certificate.unseen.size();
-  lines.end_line();
+  begin_section(lines, "unseen", certificate.unseen.size());
   for (const Vertex v : certificate.seen.order) {
     lines << certificate.unseen[static_cast<std::size_t>(v)];
     lines.end_line();

@@ -25,8 +25,7 @@ LineCertificate line_certificate_of(const ExactMesh& mesh, Claim claim, ScaledPo
 void write_pads(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points) {
   const AffineHull& hull = mesh.points.configuration().hull();
   const std::size_t dimension = points.dimension;
-  lines << "pads" << dimension - hull.axes.size();
-  lines.end_line();
+  begin_section(lines, "pads", dimension - hull.axes.size());
   for (std::size_t along = 0; along < dimension; ++along) {
     if (std::find(hull.axes.begin(), hull.axes.end(), along) != hull.axes.end()) continue;
     for (std::size_t axis = 0; axis < dimension; ++axis) {
@@ -44,14 +43,12 @@ void write(std::ostream& out, const ExactMesh& mesh, const LineCertificate& cert
   write_scale(lines, certificate.points);
   write_points(lines, mesh, certificate.points, certificate.order);
   const std::vector<std::size_t> number = numbers_in(certificate.order);
-  lines << "simplices" << mesh.simplices.size();
-  lines.end_line();
+  begin_section(lines, "simplices", mesh.simplices.size());
   for (const Simplex& simplex : mesh.simplices) {
     for (const Vertex v : simplex) lines << number[static_cast<std::size_t>(v)];
     lines.end_line();
   }
-  lines << "order" << certificate.joining.size();
-  lines.end_line();
+  begin_section(lines, "order", certificate.joining.size());
   for (const std::size_t s : certificate.joining) {
     lines << s + 1;
     lines.end_line();

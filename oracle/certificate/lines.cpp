@@ -62,15 +62,9 @@ void write_point(Lines& lines, const ScaledPoints& points, Vertex v, bool weight
   lines << (points.weights.empty() ? Integer(0) : points.weights[static_cast<std::size_t>(v)]);
 }
 
-void write_points(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
-                  const std::vector<Vertex>& order) {
-  lines << "points" << order.size();
+void begin_section(Lines& lines, std::string_view name, std::size_t count) {
+  lines << name << count;
   lines.end_line();
-  for (const Vertex v : order) {
-    write_point(lines, points, v, false);
-    lines.gap() << mesh.label(v);
-    lines.end_line();
-  }
 }
 
 void write_point(Lines& lines, const HomogeneousPoint& point) {

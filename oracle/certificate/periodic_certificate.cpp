@@ -269,8 +269,7 @@ void write_rows(Lines& lines, std::string_view name,
 }
 
 void write_cells(Lines& lines, const PeriodicDocument& document) {
-  lines << "cells" << document.cells.size();
-  lines.end_line();
+  begin_section(lines, "cells", document.cells.size());
   for (std::size_t i = 0; i < document.cells.size(); ++i) {
     for (const MovedPoint& corner : document.cells[i]) {
       lines << corner.point + 1;
@@ -316,8 +315,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const PeriodicDocument& doc
   lines << "reach";
   for (Integer z = document.first_reached; z <= document.last_reached; ++z) lines << z;
   lines.end_line();
-  lines << "points" << document.listed;
-  lines.end_line();
+  begin_section(lines, "points", document.listed);
   for (std::size_t i = 0; i < document.listed; ++i) {
     const auto v = static_cast<Vertex>(i);
     write_point(lines, document.points, v, false);

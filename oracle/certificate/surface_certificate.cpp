@@ -47,16 +47,14 @@ void write(std::ostream& out, const ExactMesh& mesh, const SurfaceCertificate& c
   for (std::size_t k = 0; k < certificate.edges.size(); ++k) {
     listed[certificate.edges[k].triangle][certificate.edges[k].place] = k + 1;
   }
-  lines << "triangles" << mesh.simplices.size();
-  lines.end_line();
+  begin_section(lines, "triangles", mesh.simplices.size());
   for (std::size_t t = 0; t < mesh.simplices.size(); ++t) {
     for (const Vertex v : mesh.simplices[t]) lines << number[static_cast<std::size_t>(v)];
     lines.gap();
     for (const std::size_t k : listed[t]) lines << k;
     lines.end_line();
   }
-  lines << "edges" << certificate.edges.size();
-  lines.end_line();
+  begin_section(lines, "edges", certificate.edges.size());
   for (const SurfaceCertificate::Edge& edge : certificate.edges) {
     lines << std::size_t{edge.triangle} + 1 << std::size_t{edge.place};
     lines.end_line();

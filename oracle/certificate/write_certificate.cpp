@@ -11,11 +11,6 @@ namespace circumspect::certificate {
 
 namespace {
 
-void begin_section(Lines& lines, std::string_view name, std::size_t count) {
-  lines << name << count;
-  lines.end_line();
-}
-
 // Or a dash in its place.
 template <class Number>
 void write_optional(Lines& lines, const std::optional<Number>& number) {
@@ -335,7 +330,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
   const auto& whole = refutation.whole;
   write_mesh(lines, mesh, refutation.points, refutation.refutation,
              whole ? fmt::format("{} {}", whole->evidence.word, name_of(whole->kind)) : "");
-  write_basis(lines, refutation.refutation);
+  write_basis(lines, refutation.refutation.basis);
   if (!refutation.dangling.empty()) write_dangling(lines, mesh.points.size(), refutation.dangling);
   if (whole && whole->evidence.elsewhere) {
     write_body(lines, *whole->evidence.elsewhere);
@@ -353,7 +348,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
       lines << segment[0] + 1 << segment[1] + 1;
       lines.end_line();
     }
-    write_because(lines, refutation.refutation);
+    write_because(lines, refutation.refutation.because);
     return;
   }
   write_domain(lines, refutation.vertices.size(), refutation.segments, whole->holes,

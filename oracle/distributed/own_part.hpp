@@ -56,7 +56,8 @@ class SharedPoints {
   std::vector<bool> are_shared_;
 };
 
-// Of things that are in this part alone, the faults; the others are listed.
+// The faults of simplices, facets and ridges that are in this part alone. What other parts have as
+// well is listed, to be judged with them.
 struct OwnFaults {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 

@@ -38,7 +38,7 @@ class Communicator {
   virtual void broadcast(std::byte* bytes, std::size_t count, std::size_t root) = 0;
   // Gives all ranks the bytes of each rank, the same number of each, in the order of ranks.
   virtual void gather(const std::byte* own, std::size_t count, std::byte* all) = 0;
-  // Gives rank i number i of each rank.
+  // Sends the i-th number of every rank to rank i, which gets them in the order of ranks.
   virtual std::vector<std::uint64_t> turned(const std::vector<std::uint64_t>& own) = 0;
   // Items of `bytes_each` bytes: how many for each rank, stored rank after rank, and how many come
   // from each.

@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/formats/bytes/words.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
+#include "oracle/model/words.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "kernel/exact/angle.hpp"
 #include "kernel/exact/number_text.hpp"
+#include "oracle/model/words.hpp"
 
 namespace circumspect {
 namespace {
@@ -23,12 +24,6 @@ constexpr std::array<MeasureEntry, 10> kMeasures = {{
     {Measure::kEdge, "edge", false, false, 1, 3, Rule::kQualityEdge},
     {Measure::kMinEdge, "min-edge", false, true, 1, 3, Rule::kQualityMinEdge},
 }};
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 std::string known_measures() {
   std::string all;

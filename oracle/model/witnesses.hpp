@@ -9,7 +9,8 @@ namespace circumspect {
 
 // Adds that q is strictly inside the ball of a simplex (with weights: that q⁺ is strictly below its
 // witness plane), with the ball and how deep q lies in it. `facet`: what else broke the rule, if
-// anything.
+// anything. Where the witness would be dropped and the rule has been broken as badly, it is only
+// counted, in integers.
 void add_vertex_in_ball(const PointSet& points, Rule rule, const Simplex& simplex,
                         const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
 

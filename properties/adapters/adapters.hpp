@@ -1,7 +1,7 @@
 // Programs that people use, as functions: Debian's CGAL, TetGen and Qhull. They are put to the test
 // here and are a second opinion nowhere: nothing that ships is linked to them (their licences, the
 // GPL, the AGPL and Qhull's own, stay with the tests). Gmsh's library needs half a gigabyte of
-// others: it is run as a program, by campaigns (hunt/pages/).
+// other libraries, so campaigns run Gmsh as a program (hunt/pages/).
 #pragma once
 
 #include <array>

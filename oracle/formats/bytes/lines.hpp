@@ -19,7 +19,7 @@
 #include "oracle/formats/bytes/plain_number.hpp"
 #include "oracle/formats/bytes/point_rows.hpp"
 #include "oracle/formats/bytes/source.hpp"
-#include "oracle/formats/bytes/words.hpp"
+#include "oracle/model/words.hpp"
 
 namespace circumspect::formats {
 

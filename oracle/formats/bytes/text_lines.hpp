@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "oracle/formats/bytes/source.hpp"
-#include "oracle/formats/bytes/words.hpp"
+#include "oracle/model/words.hpp"
 
 namespace circumspect::formats {
 

@@ -1,6 +1,7 @@
 // What in a mesh M are the moved cells of a complex P? docs/theory/within.md, Definition 2 to 5.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -30,14 +31,10 @@ using Carriers = std::vector<std::optional<LinearCell>>;
 std::vector<Simplex> triangles_near(const MovedDomain& moved, const Carriers& carriers,
                                     std::size_t polygon);
 
-// Of each vertex of P a vertex of M, of each segment a path, of each polygon triangles,
-// counterclockwise seen from the side to which its normal with a positive first nonzero coordinate
-// points.
-struct CellImages {
-  std::vector<Vertex> vertices = {};
-  std::vector<std::vector<Vertex>> paths = {};
-  std::vector<std::vector<Simplex>> patches = {};
-};
+// Of each vertex of P a vertex of M, of each segment the edges of its path, from its first end to
+// its second, of each polygon triangles, counterclockwise seen from the side to which its normal
+// with a positive first nonzero coordinate points.
+using CellImages = std::map<LinearCell, std::vector<Simplex>>;
 
 // The images of all cells, or what is wrong with one. All sets of triangles near a polygon are
 // tried.

@@ -26,24 +26,17 @@ std::set<Simplex> dangling_triangles(const ExactMesh& mesh, const PiecewiseLinea
 void judge_constrained_delaunay(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                                 Verdict& verdict) {
   const Configuration& points = mesh.points.configuration();
-  for (const Simplex& simplex : mesh.simplices) {
+  const auto judge = [&](const Simplex& simplex, Rule rule) {
+    const std::vector<std::size_t> axes = axes_of(points, simplex);
     for (Vertex v = 0; mesh.points.names(v); ++v) {
-      if (contains(simplex, v) || in_ball(points, simplex, v) <= 0) continue;
-      if (!is_visible(complex, v, simplex)) continue;
-      add_vertex_in_ball(mesh.points, Rule::kVisibleVertexInBall, simplex, std::nullopt, v,
-                         verdict);
+      if (contains(simplex, v) || !is_in_hull_of(points, axes, simplex, v)) continue;
+      if (in_ball(points, axes, simplex, v) <= 0 || !is_visible(complex, v, simplex)) continue;
+      add_vertex_in_ball(mesh.points, rule, simplex, std::nullopt, v, verdict);
     }
-  }
-  if (complex.ambient_dimension() == 2) return;
+  };
+  for (const Simplex& simplex : mesh.simplices) judge(simplex, Rule::kVisibleVertexInBall);
   for (const Simplex& triangle : dangling_triangles(mesh, complex)) {
-    const std::vector<std::size_t> axes = axes_of(points, triangle);
-    for (Vertex v = 0; mesh.points.names(v); ++v) {
-      if (contains(triangle, v) || side_of_triangle(points, triangle, v) != 0) continue;
-      if (in_ball(points, axes, triangle, v) <= 0) continue;
-      if (!is_visible(complex, v, triangle)) continue;
-      add_vertex_in_ball(mesh.points, Rule::kDanglingNotDelaunay, triangle, std::nullopt, v,
-                         verdict);
-    }
+    judge(triangle, Rule::kDanglingNotDelaunay);
   }
 }
 

@@ -39,29 +39,26 @@ std::optional<Rational> squared_distance_inside(const Points& a, const Points& b
   return squared_length(difference);
 }
 
-// The places of the corners of all simplices of some points.
-std::vector<Simplex> simplices_of(const Points& points) {
-  std::vector<Simplex> all;
+// All simplices of some points, of d dimensions or fewer.
+std::vector<Points> simplices_of(const Points& points) {
+  std::vector<Points> all;
   const std::size_t most = std::min(points.size(), points.front().size() + 1);
   for (std::size_t size = 1; size <= most; ++size) {
-    for (Simplex& some : faces(first_subset(points.size()), size)) all.push_back(std::move(some));
+    for (const Simplex& places : faces(first_subset(points.size()), size)) {
+      Points& corners = all.emplace_back();
+      for (const Vertex i : places) corners.push_back(points[static_cast<std::size_t>(i)]);
+    }
   }
   return all;
-}
-
-Points at(const Points& points, const Simplex& places) {
-  Points some;
-  for (const Vertex i : places) some.push_back(points[static_cast<std::size_t>(i)]);
-  return some;
 }
 
 }  // namespace
 
 Rational squared_distance_between(const Points& a, const Points& b) {
   std::optional<Rational> least;
-  for (const Simplex& of_a : simplices_of(a)) {
-    for (const Simplex& of_b : simplices_of(b)) {
-      const auto squared = squared_distance_inside(at(a, of_a), at(b, of_b));
+  for (const Points& of_a : simplices_of(a)) {
+    for (const Points& of_b : simplices_of(b)) {
+      const auto squared = squared_distance_inside(of_a, of_b);
       if (squared && (!least || *squared < *least)) least = squared;
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/complex/improper_intersection.hpp"
 #include "kernel/predicates/intersection.hpp"
 
 namespace circumspect::definition {
@@ -32,20 +33,13 @@ class LinearCells {
   using Corners = std::vector<Point>;
 
   Corners at(const Simplex& simplex) const { return coordinates(points_, simplex); }
-  bool is_end(const Simplex& segment, const Point& p) const {
-    return p == points_[segment[0]] || p == points_[segment[1]];
-  }
 
   bool vertices_and_segments_are_simplicial_complex() const {
-    for (const Simplex& a : complex_.segments) {
-      for (const Point& p : points_.points()) {
-        if (!is_end(a, p) && !intersection(at(a), {p}).empty()) return false;
-      }
-      for (const Simplex& b : complex_.segments) {
-        if (a == b) continue;
-        for (const Point& p : intersection(at(a), at(b))) {
-          if (!is_end(a, p) || !is_end(b, p)) return false;
-        }
+    std::vector<Simplex> simplices = complex_.segments;
+    for (const Vertex v : all_vertices(points_)) simplices.push_back({v});
+    for (const Simplex& a : simplices) {
+      for (const Simplex& b : simplices) {
+        if (improper_intersection(points_, a, b)) return false;
       }
     }
     return true;
@@ -53,30 +47,29 @@ class LinearCells {
 
   // An edge of one triangle of a polygon is on its boundary. (And the triangles are in one plane.)
   bool is_bounded_by_segments(const Polygon& polygon) const {
-    if (polygon.triangles.empty()) return false;
-    Corners corners;
-    for (const Simplex& triangle : polygon.triangles) {
-      for (const Point& p : at(triangle)) corners.push_back(p);
+    const std::vector<Simplex>& triangles = polygon.triangles;
+    Simplex corners;
+    for (const Simplex& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
+    if (affine_hull(at(corners)).dimension != 2) return false;
+    for (const Simplex& edge : faces_of(triangles, 2)) {
+      const auto of_edge =
+          std::count_if(triangles.begin(), triangles.end(),
+                        [&](const Simplex& triangle) { return has_face(triangle, edge); });
+      if (of_edge == 1 && !segments_cover(points_[edge[0]], points_[edge[1]])) return false;
     }
-    if (affine_hull(corners).dimension != 2) return false;
-    const std::vector<FacetUse> uses = facet_uses(polygon.triangles);
-    return std::all_of(uses.begin(), uses.end(), [&](const FacetUse& use) {
-      const auto of_edge = std::count_if(uses.begin(), uses.end(), [&](const FacetUse& other) {
-        return other.facet == use.facet;
-      });
-      return of_edge > 1 || segments_cover(points_[use.facet[0]], points_[use.facet[1]]);
-    });
+    return true;
   }
 
   bool lies_in_or_meets_in_ends(const Simplex& segment, const Polygon& polygon) const {
+    const Corners ends = at(segment);
     bool meets_in_ends = true;
     std::vector<Corners> parts;
     for (const Simplex& triangle : polygon.triangles) {
-      parts.push_back(intersection(at(segment), at(triangle)));
-      meets_in_ends &= parts.back().empty() ||
-                       (parts.back().size() == 1 && is_end(segment, parts.back().front()));
+      parts.push_back(intersection(ends, at(triangle)));
+      meets_in_ends &= parts.back().empty() || parts.back() == Corners{ends[0]} ||
+                       parts.back() == Corners{ends[1]};
     }
-    return meets_in_ends || cover(parts, points_[segment[0]], points_[segment[1]]);
+    return meets_in_ends || cover(parts, ends[0], ends[1]);
   }
 
   // A single point needs no look: it is on the boundary of one of them, which consists of segments,

@@ -5,6 +5,7 @@
 
 #include "kernel/complex/circumball.hpp"
 #include "kernel/complex/improper_intersection.hpp"
+#include "kernel/complex/measure.hpp"
 #include "kernel/exact/int64.hpp"
 #include "kernel/exact/interruption.hpp"
 #include "kernel/exact/linear_algebra.hpp"
@@ -204,16 +205,11 @@ void for_each_shift(const std::vector<Point>& lattice, const Bounds& box,
 Rational times_covered(const ExactMesh& mesh, const Copies& copies) {
   const std::size_t d = copies.lattice.size();
   const auto axes = std::span(kSpace).first(d);
-  const auto size = [&](const Configuration& points, const Simplex& simplex) {
-    return Rational(abs(orientation_determinant(points, axes, simplex)));
-  };
   std::vector<Point> frame = copies.lattice;
   frame.emplace_back(d, 0);
-  Rational whole = size(Configuration(frame), first_subset(d + 1));
+  Rational whole = measure(PointSet(frame), axes, first_subset(d + 1));
   for (std::size_t i = 2; i <= d; ++i) whole *= static_cast<long>(i);
-  Rational sum = 0;
-  for (const Simplex& cell : mesh.simplices) sum += size(mesh.points.configuration(), cell);
-  return sum / whole;
+  return measure(mesh.points, axes, mesh.simplices) / whole;
 }
 
 std::vector<NamedValue> shift_in_words(const Simplex& multiples) {

@@ -4,11 +4,13 @@
 #include <map>
 #include <set>
 
+#include "kernel/complex/measure.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/piecewise_linear/linear_cell.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/definition/distance.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/triangulation.hpp"
 
@@ -17,23 +19,15 @@ namespace {
 
 using Axes = std::vector<std::size_t>;
 
-// k! times the length, area or volume of the projections on k axes, added up.
-Rational measure(const PointSet& points, const Axes& axes, const std::vector<Simplex>& simplices) {
-  Rational sum = 0;
-  for (const Simplex& simplex : simplices) {
-    sum += abs(orientation_determinant(points.configuration(), axes, simplex));
-  }
-  return sum;
-}
-
-// The same of what two segments, or triangles of one plane, have in common.
+// The measure (measure.hpp) of what two segments, or triangles of one plane, have in common. If
+// they are not in one line or plane, that is nothing.
 Rational common_measure(const Axes& axes, const std::vector<Point>& a,
                         const std::vector<Point>& b) {
   const std::vector<Point> corners = intersection(a, b);
-  if (axes.size() == 1 && corners.size() == 2)
-    return abs(corners[1][axes[0]] - corners[0][axes[0]]);
+  if (corners.empty()) return 0;
+  if (axes.size() == 1) return abs(corners.back()[axes[0]] - corners.front()[axes[0]]);
   Rational twice = 0;
-  for (std::size_t i = 0; corners.size() > 2 && i < corners.size(); ++i) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     twice += cross_product(corners[i], corners[(i + 1) % corners.size()], axes[0], axes[1]);
   }
   return abs(twice);
@@ -93,16 +87,17 @@ class Judging {
     ExtraVertices extra;
     SteinerPoints count;
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
-      if (std::find(in_mesh_.begin(), in_mesh_.end(), v) != in_mesh_.end()) continue;
+      if (contains(in_mesh_, v)) continue;
       if (!is_used(v)) {
         verdict_.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh_.points[v]});
         continue;
       }
       extra.add(v, verdict_.max_violations());
       if (!may_have_more_) verdict_.add(Rule::kSteinerForbidden, {.vertices = {v}});
-      ++(lies_in_cell_of(1, v)   ? count.on_segments
-         : lies_in_cell_of(2, v) ? count.in_polygons
-                                 : count.in_polyhedra);
+      const int dimension = dimension_of_cell_with(v);
+      ++(dimension == 1   ? count.on_segments
+         : dimension == 2 ? count.in_polygons
+                          : count.in_polyhedra);
     }
     verdict_.extra_vertices = extra;
     if (complete) verdict_.steiner_points = count;
@@ -184,23 +179,20 @@ class Judging {
 
   // What is listed in lower dimensions is a face of a simplex, or lies in a segment or polygon.
   void faces_are_in_domain() {
-    std::set<Simplex> allowed;
-    const auto allow = [&](const std::vector<Simplex>& faces) {
-      allowed.insert(faces.begin(), faces.end());
-    };
-    for (const std::size_t size : {2, 3}) allow(faces_of(mesh_.simplices, size));
+    std::vector<Simplex> filling = mesh_.simplices;
     for (const auto& [cell, parts] : parts_) {
-      for (const std::size_t size : {2, 3}) allow(faces_of(parts, size));
+      filling.insert(filling.end(), parts.begin(), parts.end());
     }
     std::set<Simplex> dangling;  // listed faces of nothing larger
     for (const Simplex& face : mesh_.faces) {
-      if (!allowed.contains(sorted(face))) verdict_.add(Rule::kOutside, {.simplices = {face}});
-      dangling.insert(sorted(face));
-    }
-    for (const Simplex& larger : listed_) {
-      for (const Simplex& face : faces(sorted(larger))) {
-        if (face.size() < larger.size()) dangling.erase(face);
+      const auto has_it = [&](const Simplex& simplex) { return has_face(simplex, face); };
+      const auto is_larger = [&](const Simplex& simplex) {
+        return simplex.size() > face.size() && has_face(simplex, face);
+      };
+      if (std::none_of(filling.begin(), filling.end(), has_it)) {
+        verdict_.add(Rule::kOutside, {.simplices = {face}});
       }
+      if (std::none_of(listed_.begin(), listed_.end(), is_larger)) dangling.insert(sorted(face));
     }
     verdict_.dangling = dangling.size();
   }
@@ -246,42 +238,38 @@ class Judging {
     return std::any_of(listed_.begin(), listed_.end(),
                        [&](const Simplex& simplex) { return contains(simplex, v); });
   }
-  // Does a vertex of the mesh lie in a cell of P of this dimension?
-  bool lies_in_cell_of(int dimension, Vertex v) const {
+  // The dimension of the first cell of P that has a vertex of the mesh. Vertices are listed before
+  // segments and these before polygons, so it lies in the relative interior of that cell.
+  int dimension_of_cell_with(Vertex v) const {
     for (const LinearCell cell : linear_cells(complex_)) {
-      if (cell.dimension != dimension) continue;
       for (const Simplex& own : simplices_of(complex_, cell)) {
-        if (!intersection(coordinates(complex_.points, own), {mesh_.points[v]}).empty())
-          return true;
+        const std::vector<Point> corners = coordinates(complex_.points, own);
+        if (!intersection(corners, {mesh_.points[v]}).empty()) return cell.dimension;
       }
     }
-    return false;
+    return 3;  // a polyhedron
   }
   // Has the edge or triangle as much in common with a cell as with itself?
   bool is_part(const Simplex& simplex, const std::vector<Simplex>& cell, const Axes& axes) const {
     const std::vector<Point> corners = coordinates(mesh_.points, simplex);
-    std::vector<Point> all = coordinates(complex_.points, cell.front());
-    all.insert(all.end(), corners.begin(), corners.end());
-    if (affine_hull(all).dimension != static_cast<int>(axes.size())) return false;
+    const Rational whole = measure(mesh_.points, axes, simplex);
+    if (whole == 0) return false;  // it is not in the line or plane of the cell
     Rational common = 0;
     for (const Simplex& own : cell) {
       common += common_measure(axes, corners, coordinates(complex_.points, own));
     }
-    return common == measure(mesh_.points, axes, {simplex});
+    return common == whole;
   }
 
-  // The vertex of the mesh that is nearest to a point; or to a segment, without lying on it. It
-  // proves nothing, but shows whether a coordinate was rounded.
+  // The vertex of the mesh that is nearest to a point or segment, without lying on it. It proves
+  // nothing, but shows whether a coordinate was rounded.
   std::optional<NearestVertex> nearest_to(const std::vector<Point>& cell) const {
     std::optional<NearestVertex> nearest;
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
       if (!is_used(v)) continue;
-      const Point& p = mesh_.points[v];
-      const bool is_point = cell.size() == 1;
-      const Rational squared = is_point ? squared_distance(p, cell[0])
-                                        : squared_distance_to_segment(p, cell[0], cell[1]);
-      if (!is_point && squared == 0) continue;
-      if (!nearest || squared < nearest->squared_distance) nearest = {v, squared};
+      const Rational squared = squared_distance_between({mesh_.points[v]}, cell);
+      if (squared == 0 || (nearest && squared >= nearest->squared_distance)) continue;
+      nearest = {v, squared};
     }
     return nearest;
   }

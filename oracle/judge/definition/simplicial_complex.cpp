@@ -56,11 +56,9 @@ bool judge_each_simplex(const ExactMesh& mesh, std::size_t size, Verdict& verdic
     }
     verdict.add(fault->rule, fault->witness);
   }
-  std::vector<Simplex> sets;
-  for (const Simplex& simplex : simplices) sets.push_back(sorted(simplex));
   for (std::size_t a = 0; a < simplices.size(); ++a) {
     for (std::size_t b = a + 1; b < simplices.size(); ++b) {
-      if (sets[a] != sets[b]) continue;
+      if (sorted(simplices[a]) != sorted(simplices[b])) continue;
       sound = false;
       verdict.add(Rule::kDuplicateSimplex,
                   {.simplices = {simplices[a], simplices[b]}, .places = {a, b}});

@@ -16,10 +16,10 @@ class Reaches {
   explicit Reaches(const MovedDomain& moved) : moved_(moved), cells_(linear_cells(moved.complex)) {
     const PointSet& points = moved.mesh.points;
     for (Vertex v = 0; points.names(v); ++v) {
-      distances_.emplace_back();
+      std::map<LinearCell, Rational>& distances = distances_.emplace_back();
+      if (!moved.used[static_cast<std::size_t>(v)]) continue;
       for (const LinearCell cell : cells_) {
-        if (!moved.used[static_cast<std::size_t>(v)]) continue;
-        distances_.back()[cell] = distance({{points[v]}}, simplices_of(cell));
+        distances[cell] = distance({{points[v]}}, simplices_of(cell));
       }
     }
   }
@@ -32,9 +32,10 @@ class Reaches {
     LeastReach answer{.squared_reach = squared_limit};
     for (const Rational& squared : candidates) {
       if (squared > squared_limit) break;
-      const bool takes_two_for_one = takes_cells_for_each_other(squared);
-      if (takes_two_for_one) answer.kind = LeastReach::Kind::kAmbiguous;
-      if (takes_two_for_one) break;  // as at all larger reaches
+      if (takes_cells_for_each_other(squared)) {  // as at all larger reaches
+        answer.kind = LeastReach::Kind::kAmbiguous;
+        break;
+      }
       bool is_ambiguous = false;
       Carriers carriers = carriers_at(squared, is_ambiguous);
       auto images = cell_images(moved_, carriers);
@@ -74,16 +75,15 @@ class Reaches {
       if (near > 1) return true;
     }
     if (sign(squared_reach) == 0) return false;
-    if (!cells_apart_) {
-      cells_apart_.emplace();
+    if (apart_.empty()) {
       for (const LinearCell a : cells_) {
         for (const LinearCell b : cells_) {
-          if (a < b) cells_apart_->insert(distance(simplices_of(a), simplices_of(b)));
+          if (a < b) apart_.insert(distance(simplices_of(a), simplices_of(b)));
         }
       }
-      cells_apart_->erase(0);
     }
-    return !cells_apart_->empty() && *cells_apart_->begin() <= 9 * squared_reach;
+    const auto least = apart_.upper_bound(0);
+    return least != apart_.end() && *least <= 9 * squared_reach;
   }
 
   std::vector<Points> simplices_of(LinearCell cell) const {
@@ -104,7 +104,7 @@ class Reaches {
   const MovedDomain& moved_;
   std::vector<LinearCell> cells_;
   std::vector<std::map<LinearCell, Rational>> distances_;  // squared, of each vertex of M
-  std::optional<std::set<Rational>> cells_apart_;          // those of cells that do not meet
+  std::set<Rational> apart_;                               // and of each two cells, when asked
 };
 
 }  // namespace

@@ -26,8 +26,12 @@ TEST_CASE("a path is as far from its segment as its farthest vertex") {
   const LeastReach found = reach_of(with({20, -3}, {60, 5}), kTriangle, 100);
   REQUIRE(found.kind == LeastReach::Kind::kFound);
   CHECK(found.squared_reach == 25);
-  CHECK(found.images.vertices == std::vector<Vertex>{0, 1, 2});
-  CHECK(found.images.paths == std::vector<std::vector<Vertex>>{{0, 3, 4, 1}, {0, 2}, {1, 2}});
+  CHECK(found.images == definition::CellImages{{{0, 0}, {{0}}},
+                                               {{0, 1}, {{1}}},
+                                               {{0, 2}, {{2}}},
+                                               {{1, 0}, {{0, 3}, {3, 4}, {4, 1}}},
+                                               {{1, 1}, {{0, 2}}},
+                                               {{1, 2}, {{1, 2}}}});
   CHECK(found.carriers[3] == LinearCell{1, 0});
   CHECK(reach_of(with({20, -3}, {60, 5}), kTriangle, 25).kind == LeastReach::Kind::kFound);
   const LeastReach none = reach_of(with({20, -3}, {60, 5}), kTriangle, 24);
@@ -96,8 +100,7 @@ TEST_CASE("the triangles of a polygon are found, and the better of two choices")
   const std::vector<Simplex> fan = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 3, 4}};
   const LeastReach found = with({40, 40, 3}, fan);
   CHECK(found.squared_reach == 9);
-  REQUIRE(found.images.patches.size() == 1);
-  CHECK(found.images.patches[0].size() == 4);
+  CHECK(found.images.at({2, 0}).size() == 4);
   CHECK(with({40, 40, 0}, fan).squared_reach == 0);
   const std::vector<Simplex> open(fan.begin(), fan.end() - 1);
   CHECK(with({40, 40, 3}, open).breach->rule == Rule::kSegmentMissing);
@@ -107,13 +110,13 @@ TEST_CASE("the triangles of a polygon are found, and the better of two choices")
   // Beyond an edge it is nearest to that, so that the path goes there.
   const LeastReach beyond = with({95, 40, 3}, fan);
   CHECK(beyond.squared_reach == 34);
-  CHECK(beyond.images.patches[0].size() == 3);
+  CHECK(beyond.images.at({2, 0}).size() == 3);
   // If the square is there as well, as it is, the vertex 4 is free.
   std::vector<Simplex> twice = fan;
   twice.insert(twice.end(), {{0, 1, 2}, {0, 2, 3}});
   CHECK(with({40, 40, 3}, twice).squared_reach == 0);
-  CHECK(with({40, 40, 3}, twice).images.patches[0].size() == 2);
-  CHECK(with({40, 40, 0}, twice).images.patches[0].size() == 4);
+  CHECK(with({40, 40, 3}, twice).images.at({2, 0}).size() == 2);
+  CHECK(with({40, 40, 0}, twice).images.at({2, 0}).size() == 4);
   // Without it there are two ways to cut the square, which bound a flat tetrahedron: the lower one
   // is taken.
   const LeastReach lower =
@@ -121,7 +124,7 @@ TEST_CASE("the triangles of a polygon are found, and the better of two choices")
   CHECK(lower.kind == LeastReach::Kind::kFound);
   const PointSet bent({{0, 0, 1}, {90, 0, 0}, {90, 90, 1}, {0, 90, 0}});
   ExactMesh mesh{bent, {{0, 1, 2, 3}}};
-  CHECK(reach_of(mesh, square, 100).images.patches[0] ==
+  CHECK(reach_of(mesh, square, 100).images.at({2, 0}) ==
         std::vector<Simplex>{{0, 1, 3}, {1, 2, 3}});
 }
 

@@ -10,6 +10,7 @@
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_index.hpp"
 #include "oracle/judge/points/delaunay.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::check {
 
@@ -19,7 +20,7 @@ void judge_shared_facet(const ExactMesh& mesh, std::span<const FacetUse> group, 
   const Simplex& simplex = mesh.simplices[group[0].simplex];
   const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
   if (in_ball(mesh.points.configuration(), simplex, apex) <= 0) return;
-  add_in_ball(mesh, Rule::kFacetNotLocal, simplex, group[0].facet, apex, verdict);
+  add_vertex_in_ball(mesh.points, Rule::kFacetNotLocal, simplex, group[0].facet, apex, verdict);
 }
 
 void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, const FacetUse& use,
@@ -27,7 +28,7 @@ void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, con
   const Simplex& simplex = mesh.simplices[use.simplex];
   for (const Vertex v : index.near(circumball(mesh.points, simplex))) {
     if (contains(simplex, v) || in_ball(mesh.points.configuration(), simplex, v) <= 0) continue;
-    add_in_ball(mesh, Rule::kVertexInBall, simplex, use.facet, v, verdict);
+    add_vertex_in_ball(mesh.points, Rule::kVertexInBall, simplex, use.facet, v, verdict);
   }
 }
 

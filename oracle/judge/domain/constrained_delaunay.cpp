@@ -10,8 +10,8 @@
 #include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/domain/facets_of_interest.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
-#include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/points/delaunay.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::check {
 
@@ -68,7 +68,8 @@ void judge_facets(const MeshedDomain& in, const std::vector<WallPiece>& pieces, 
     const int side = in_ball(points, simplex, apex);
     if (side == 0) ties.see(points, points.axes(), simplex, apex);
     if (side > 0) {
-      add_in_ball(in.mesh, Rule::kConstrainedFacetNotLocal, simplex, facet, apex, verdict);
+      add_vertex_in_ball(in.mesh.points, Rule::kConstrainedFacetNotLocal, simplex, facet, apex,
+                         verdict);
     }
   }
 }
@@ -93,7 +94,8 @@ void judge_dangling_triangles(const MeshedDomain& in, const std::vector<WallPiec
     const std::vector<std::size_t>& axes = in.complex.polygons[polygon[group[0].simplex]].axes;
     const int side = in_ball(points, axes, triangle, apex);
     if (side == 0) ties.see(points, axes, triangle, apex);
-    if (side > 0) add_in_ball(in.mesh, Rule::kDanglingNotDelaunay, triangle, edge, apex, verdict);
+    if (side <= 0) continue;
+    add_vertex_in_ball(in.mesh.points, Rule::kDanglingNotDelaunay, triangle, edge, apex, verdict);
   }
 }
 

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "kernel/boxes/box_index.hpp"
+#include "kernel/complex/measure.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
-#include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
 namespace circumspect::check {

@@ -6,7 +6,6 @@
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
-#include "oracle/judge/domain/measures.hpp"
 
 namespace circumspect::check {
 

@@ -12,6 +12,7 @@
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/periodic_facets.hpp"
+#include "oracle/model/witnesses.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -134,7 +135,7 @@ class PeriodicJudge {
     const Simplex& own = mesh_.simplices[group[0].cell];
     const Vertex apex = apex_across(group[0], group[1]);
     if (in_ball(mesh_.points.configuration(), own, apex) <= 0) return;
-    add_in_ball(mesh_, Rule::kFacetNotLocal, own, facet_of(group[0]), apex, verdict_);
+    add_vertex_in_ball(mesh_.points, Rule::kFacetNotLocal, own, facet_of(group[0]), apex, verdict_);
   }
 
   const ExactMesh& mesh_;

@@ -13,11 +13,6 @@
 
 namespace circumspect::check {
 
-// Adds the violation, with the ball of `simplex` and how deep q lies in it. `facet` is the facet
-// between the simplex and q, if that is what broke the rule.
-void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
-                 const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
-
 // What empty balls imply about other Delaunay triangulations of the same points.
 
 // A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is not a

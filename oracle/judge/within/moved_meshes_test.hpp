@@ -14,7 +14,7 @@ struct MovedMesh {
   Domain domain;
 };
 
-// One billionth: vertices are moved by a few of them.
+// Vertices are moved by a few billionths.
 inline const Rational kBit = Rational(1, 1'000'000'000);
 inline Rational bits(long number) { return number * kBit; }
 inline const Rational kSquaredLimit = Rational(1, 100'000'000'000'000);  // of 1e-7

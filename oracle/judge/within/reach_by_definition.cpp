@@ -32,12 +32,17 @@ Simplex own_triangle(const PiecewiseLinearComplex& complex, std::size_t polygon)
 
 ReachAnswer found(definition::LeastReach reach, const PiecewiseLinearComplex& complex) {
   ReachAnswer answer{.kind = ReachAnswer::Kind::kFound, .squared_reach = reach.squared_reach};
-  answer.images.vertices = std::move(reach.images.vertices);
-  answer.images.paths = std::move(reach.images.paths);
-  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
-    std::vector<Simplex>& triangles = reach.images.patches[p];
-    const std::vector<Simplex> own(triangles.size(), own_triangle(complex, p));
-    answer.images.patches.push_back({std::move(triangles), own});
+  for (const auto& [cell, simplices] : reach.images) {
+    if (cell.dimension == 0) answer.images.vertices.push_back(simplices.front().front());
+    if (cell.dimension == 1) {
+      std::vector<Vertex>& path = answer.images.paths.emplace_back();
+      for (const Simplex& edge : simplices) path.push_back(edge[0]);
+      path.push_back(simplices.back()[1]);
+    }
+    if (cell.dimension == 2) {
+      const std::vector<Simplex> own(simplices.size(), own_triangle(complex, cell.place));
+      answer.images.patches.push_back({simplices, own});
+    }
   }
   for (const auto& carrier : reach.carriers) {
     answer.carriers.emplace_back();

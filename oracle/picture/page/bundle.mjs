@@ -1,5 +1,5 @@
-// Makes page.built.html of the sources beside it: what the command puts its data into. Three.js comes from the
-// folder that NODE_PATH names.
+// Makes page.built.html of the sources beside it: what the command puts its data into. Three.js
+// comes from the folder that NODE_PATH names.
 //   node bundle.mjs OUTPUT
 import { createHash } from 'node:crypto';
 import { createRequire } from 'node:module';
@@ -24,6 +24,7 @@ const parts = {
   script: `/*! With three.js, https://threejs.org:\n${licence}\n*/\n` +
     script.outputFiles[0].text.trim().replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--'),
 };
-// The page runs this script alone, whatever gets into its data: its policy names the script by its hash.
+// The page runs this script alone, whatever gets into its data: its policy names the script by its
+// hash.
 parts.hash = `sha256-${createHash('sha256').update(parts.script).digest('base64')}`;
 writeFileSync(process.argv[2], read('page.html').replace(/\{\{(style|colours|script|hash)\}\}/g, (_, name) => parts[name]));

@@ -1,5 +1,5 @@
-// From where a drawing is seen: an orthographic camera that turns about the middle of the picture. Of a mesh
-// of the plane it looks straight down and only moves and magnifies.
+// From where a drawing is seen: an orthographic camera that turns about the middle of the picture.
+// Of a mesh of the plane it looks straight down and only moves and magnifies.
 import { add, cross, dot, length, sub, times } from './vectors.js';
 
 export class Camera {
@@ -12,7 +12,8 @@ export class Camera {
     this.isFlat = picture.dimension < 3;
     this.middle = isSmall ? ball.centre : [0, 0, 0];
     const reach = (some) => Math.max(0, ...some.map((p) => length(sub(p, this.middle))));
-    // Half the height of what is seen when nothing is magnified. A point alone is seen among all the others.
+    // Half the height of what is seen when nothing is magnified. A point alone is seen among all
+    // the others.
     this.size = 1.15 * Math.max(0.2, isSmall ? ball.radius : 0, reach(core) || reach(points));
     this.reset();
     if (isWhole) this.size *= 1.1 * Math.max(...points.map((p) => this.project(p)).map(([x, y]) => Math.max(Math.abs(y), Math.abs(x) / 1.5)));
@@ -60,11 +61,13 @@ export class Camera {
     this.zoom = Math.max(0.05, Math.min(1e6, this.zoom * factor));
   }
 
-  // Looks from where the given points lie furthest apart in the picture, and a triangle is not seen from its edge.
+  // Looks from where the given points lie furthest apart in the picture, and a triangle is not seen
+  // from its edge.
   lookAt(points, face) {
     if (this.isFlat) return;
     let best = -1;
-    // Never nearly along an axis, where boxes look like squares, and what is flat is not seen to be so.
+    // Never nearly along an axis, where boxes look like squares, and what is flat is not seen to be
+    // so.
     for (let i = 0; i < 12; ++i) {
       for (const pitch of [0.3, 0.5, 0.75, -0.35]) {
         this.yaw = Math.floor(i / 3) * (Math.PI / 2) + [0.45, 0.8, 1.1][i % 3];

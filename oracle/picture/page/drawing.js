@@ -1,5 +1,5 @@
-// What is drawn for a broken rule: polygons, lines, dots and balls, each with a role that has a colour and a
-// line in the legend, and a sentence that says what is to be seen.
+// What is drawn for a broken rule: polygons, lines, dots and balls, each with a role that has a
+// colour and a line in the legend, and a sentence that says what is to be seen.
 import {
   add, between, commonPart, cross, crosses, dot, ears, edges, length, middle, pierces, section, sub, times,
   triangles, unit,
@@ -10,8 +10,9 @@ const NOUNS = { 1: 'vertex', 2: 'edge', 3: 'triangle', 4: 'tetrahedron' };
 const list = (indices) => indices.join(' ');
 const noun = (simplex) => NOUNS[simplex?.length] ?? 'simplex';
 
-// The items of one violation: `v` as the report has it, `picture` with positions, `stretch` the factor of the
-// affine map x → x + (stretch − 1)·h(x)·n, h being the height along the unit vector n.
+// The items of one violation: `v` as the report has it, `picture` with positions, `stretch` the
+// factor of the affine map x → x + (stretch − 1)·h(x)·n, h being the height along the unit vector
+// n.
 export class Drawing {
   constructor(v, picture, stretch = 1) {
     this.v = v;
@@ -124,7 +125,8 @@ export class Drawing {
     }
   }
 
-  // Its edges are drawn once, unless the picture is exploded, however many neighbours have them in common.
+  // Its edges are drawn once, unless the picture is exploded, however many neighbours have them in
+  // common.
   simplexOutline(simplex, role, words) {
     const corners = this.all(simplex);
     const cell = { centre: middle(corners) };
@@ -186,7 +188,8 @@ function overlap(drawing) {
   }
 }
 
-// Where the mesh lies on both sides of a polygon, the lines along which the polygon cuts its simplices.
+// Where the mesh lies on both sides of a polygon, the lines along which the polygon cuts its
+// simplices.
 function cuts(drawing) {
   const { picture } = drawing;
   const polygon = picture.cell?.polygon;
@@ -222,7 +225,8 @@ function bareSide(drawing, v) {
   const m = middle(corners);
   const reach = 0.8 * length(sub(corners[0], m));
   const own = drawing.picture.simplices[0];
-  // The book's orientation of a tetrahedron is positive if its last corner is where the others turn clockwise.
+  // The book's orientation of a tetrahedron is positive if its last corner is where the others turn
+  // clockwise.
   let side = value ? Number(value.exact) * (dimension === 3 ? -1 : 1) : 0;
   if (!value && own?.every((i) => i !== null)) side = dot(normal, sub(middle(drawing.all(own)), m)) > 0 ? -1 : 1;
   if (side === 0) return;
@@ -230,8 +234,8 @@ function bareSide(drawing, v) {
     'this side of it is covered by nothing', { arrow: true });
 }
 
-// Where no eye sees the points of a witness apart along its thin direction, the factor that makes them
-// seen apart; else 1.
+// Where no eye sees the points of a witness apart along its thin direction, the factor that makes
+// them seen apart; else 1.
 export function largestStretch(picture) {
   if (!picture.thin) return 1;
   const high = Math.max(...picture.thin.heights.slice(0, picture.core).map(Math.abs));
@@ -288,7 +292,8 @@ function whole(drawing) {
   for (let i = 0; i < picture.core; ++i) drawing.dot(i, 'place', 'where violations are, by their numbers');
 }
 
-// What is drawn beside the cells of a witness, by the mark of the rule (Mark in oracle/model/rule.hpp).
+// What is drawn beside the cells of a witness, by the mark of the rule (Mark in
+// oracle/model/rule.hpp).
 const MARKS = {
   whole,
   'no-ball': noBall,

@@ -1,4 +1,5 @@
-// Elements of the page. Texts are nodes and attributes are set, so that no name is ever read as markup.
+// Elements of the page. Texts are nodes and attributes are set, so that no name is ever read as
+// markup.
 function filled(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
   node.append(...children.filter((child) => child !== undefined && child !== null));

@@ -1,5 +1,5 @@
-// Drawings as SVG: of meshes of the plane, where there is no WebGL, on paper, and as images for pages. Items are
-// drawn from the farthest to the nearest.
+// Drawings as SVG: of meshes of the plane, where there is no WebGL, on paper, and as images for
+// pages. Items are drawn from the farthest to the nearest.
 import { add, cross, dot, frame, length, middle, sub, times } from './vectors.js';
 
 export const WIDTH = 720;
@@ -131,7 +131,8 @@ export function placedLabels(dots) {
 
 const onPage = ([x, y, z]) => [WIDTH / 2 + (x * HEIGHT) / 2, HEIGHT / 2 - (y * HEIGHT) / 2, z];
 
-// How dark a triangle of the skin is: the darker, the less it faces the light, which comes from above the eye.
+// How dark a triangle of the skin is: the darker, the less it faces the light, which comes from
+// above the eye.
 function shade([a, b, c], camera) {
   const normal = cross(sub(b, a), sub(c, a));
   const [right, up, eye] = camera.axes();
@@ -140,7 +141,8 @@ function shade([a, b, c], camera) {
   return (0.1 + 0.45 * (1 - Math.max(0, towards))).toFixed(2);
 }
 
-// The elements inside <svg viewBox="0 0 720 480">. `cut`: what is nearer to the eye than this is left out.
+// The elements inside <svg viewBox="0 0 720 480">. `cut`: what is nearer to the eye than this is
+// left out.
 export function svgOf(drawing, camera, { explode = 0, cut = Infinity } = {}) {
   const see = (p) => onPage(camera.project(p));
   const pieces = [];

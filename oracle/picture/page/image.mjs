@@ -1,5 +1,6 @@
 // The pictures of cards as SVG images, drawn by the code of the page.
-//   node image.mjs (PAGE N OUTPUT [--exaggerate])...     PAGE: written by --html; N: which card, from 1
+//   node image.mjs (PAGE N OUTPUT [--exaggerate])...     PAGE: written by --html; N: which card,
+// from 1
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';

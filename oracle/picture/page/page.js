@@ -1,5 +1,5 @@
-// The page: verdicts, a card for each violation, and what moves between them. All that is shown comes from the
-// JSON that stands in the page.
+// The page: verdicts, a card for each violation, and what moves between them. All that is shown
+// comes from the JSON that stands in the page.
 import { relativeDepth } from './drawing.js';
 import { button, element, svg, table } from './elements.js';
 import { histogram } from './histogram.js';
@@ -125,7 +125,8 @@ function card(v, picture, id, title) {
     ...parts.filter(Boolean));
 }
 
-// Numbers of violations, with a dash for those that follow each other, and no more than have room: "3, 5–9, 12 …".
+// Numbers of violations, with a dash for those that follow each other, and no more than have room:
+// "3, 5–9, 12 …".
 function runs(numbers) {
   const parts = [];
   for (const n of numbers) {

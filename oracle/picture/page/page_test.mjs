@@ -1,7 +1,8 @@
 // Opens pages in Chromium as their readers do, and looks at what happens.
 //   node page_test.mjs COMMAND FOLDER           six pages, and what can be done with them
-//   node page_test.mjs COMMAND FOLDER --all     a page for every mesh of the corpus that breaks a rule
-// COMMAND is circumspect; pages and screenshots are left in FOLDER. The modules are in the folder that NODE_PATH names.
+//   node page_test.mjs COMMAND FOLDER --all     a page for every mesh of the corpus that breaks a
+// rule COMMAND is circumspect; pages and screenshots are left in FOLDER. The modules are in the
+// folder that NODE_PATH names.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
@@ -156,7 +157,8 @@ async function ofTwoMeshes(browser) {
   await opened.done();
 }
 
-// A mesh of more simplices than the picture of a witness shows: first all of it, with a dot where the violations are.
+// A mesh of more simplices than the picture of a witness shows: first all of it, with a dot where
+// the violations are.
 async function ofTheWhole(browser) {
   const stem = join(folder, 'whole');
   const points = Array.from({ length: 121 }, (_, i) => `${i} ${i % 11} ${Math.floor(i / 11)}`);
@@ -279,7 +281,8 @@ async function withoutWebGl() {
   await browser.close();
 }
 
-// A script that got into the page all the same is refused: the policy names the page's own by its hash.
+// A script that got into the page all the same is refused: the policy names the page's own by its
+// hash.
 async function withAnIntruder(browser) {
   const opened = await Opened.at(browser, join(folder, 'space.html'));
   const ran = await opened.page.evaluate(() => {

@@ -7,7 +7,8 @@ const GROUPS = [['deleted', 'second', 'is deleted'], ['created', 'first', 'is cr
   ['all', 'first', 'the triangulation']];
 const key = (simplex) => [...simplex].sort((a, b) => a - b).join(' ');
 
-// The ball through the corners, in doubles: nothing is decided by it. Undefined if it is too large to be seen.
+// The ball through the corners, in doubles: nothing is decided by it. Undefined if it is too large
+// to be seen.
 function circumball(corners, dimension) {
   const [a, ...rest] = corners;
   const e = rest.map((p) => sub(p, a));

@@ -1,5 +1,5 @@
-// Drawings in WebGL, by three.js. One renderer serves the whole page, since browsers allow few: it stands in the
-// picture that is being turned, and the others are SVG.
+// Drawings in WebGL, by three.js. One renderer serves the whole page, since browsers allow few: it
+// stands in the picture that is being turned, and the others are SVG.
 import {
   AmbientLight, BufferGeometry, Color, DirectionalLight, DoubleSide, Float32BufferAttribute, Group,
   LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshPhongMaterial, OrthographicCamera,
@@ -146,8 +146,8 @@ export class Solid {
     return geometry;
   }
 
-  // Draws what the camera sees, at the size in which the canvas stands, and returns the labels in the units of
-  // the SVG.
+  // Draws what the camera sees, at the size in which the canvas stands, and returns the labels in
+  // the units of the SVG.
   draw(camera, cut) {
     const width = this.canvas.clientWidth || WIDTH;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));

@@ -1,5 +1,5 @@
-// Points of space as arrays of three numbers, and what drawings need of them. A drawing decides nothing:
-// verdicts and the values beside it are exact, and come from the command.
+// Points of space as arrays of three numbers, and what drawings need of them. A drawing decides
+// nothing: verdicts and the values beside it are exact, and come from the command.
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const times = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
@@ -38,7 +38,8 @@ export function edges(simplex) {
   return pairs;
 }
 
-// The triangles of a nearly flat polygon, whose ears are cut off one by one. Of one that crosses itself there may be fewer.
+// The triangles of a nearly flat polygon, whose ears are cut off one by one. Of one that crosses
+// itself there may be fewer.
 export function ears(polygon) {
   const normal = polygon.reduce((sum, p, i) => add(sum, cross(p, polygon[(i + 1) % polygon.length])), [0, 0, 0]);
   const side = (a, b, p) => dot(normal, cross(sub(b, a), sub(p, a)));
@@ -71,7 +72,8 @@ export function clipped(polygon, n, d) {
   return kept;
 }
 
-// The half-spaces (in the plane: half-planes) whose intersection is a simplex, as [n, d] with n·x <= d.
+// The half-spaces (in the plane: half-planes) whose intersection is a simplex, as [n, d] with n·x
+// <= d.
 export function halfspaces(corners) {
   return corners.map((corner, i) => {
     const rest = corners.filter((_, j) => j !== i);
@@ -83,7 +85,8 @@ export function halfspaces(corners) {
   });
 }
 
-// What two tetrahedra, or two triangles of the plane, have in common, as the polygons that bound it.
+// What two tetrahedra, or two triangles of the plane, have in common, as the polygons that bound
+// it.
 export function commonPart(a, b) {
   const parts = [];
   for (const [one, other] of [[a, b], [b, a]]) {
@@ -113,7 +116,8 @@ export function section(corners, n, d) {
   return cuts.sort((p, q) => angle(p) - angle(q));
 }
 
-// Strokes across a convex polygon, as pairs of ends: all polygons of one plane have theirs in the same lines.
+// Strokes across a convex polygon, as pairs of ends: all polygons of one plane have theirs in the
+// same lines.
 export function hatching(polygon, apart = 0.06) {
   const n = unit(cross(sub(polygon[1], polygon[0]), sub(polygon[2], polygon[0])));
   const [u, v] = frame(n.find((x) => Math.abs(x) > 1e-9) < 0 ? times(n, -1) : n);

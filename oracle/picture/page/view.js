@@ -16,8 +16,8 @@ const KEYS = {
 };
 
 export class View {
-  // `stage` lends the one WebGL renderer: stage.enter(view) calls view.become(solid) if there is one.
-  // `changes`: whether it will show other drawings of the same points.
+  // `stage` lends the one WebGL renderer: stage.enter(view) calls view.become(solid) if there is
+  // one. `changes`: whether it will show other drawings of the same points.
   constructor(violation, picture, stage, name, changes = false) {
     Object.assign(this, { violation, picture, stage, changes, explode: 0, cut: 1, stretch: 1, showsLabels: true });
     this.most = largestStretch(picture);

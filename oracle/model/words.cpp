@@ -1,9 +1,9 @@
-#include "oracle/formats/bytes/words.hpp"
+#include "oracle/model/words.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-namespace circumspect::formats {
+namespace circumspect {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
@@ -39,4 +39,4 @@ std::string upper(std::string_view word) {
   return text;
 }
 
-}  // namespace circumspect::formats
+}  // namespace circumspect

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace circumspect::formats {
+namespace circumspect {
 
 // What some programs write before a text in UTF-8. It is no part of the text.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -25,4 +25,4 @@ bool is_word(std::string_view token, std::string_view word);
 // In capitals.
 std::string upper(std::string_view word);
 
-}  // namespace circumspect::formats
+}  // namespace circumspect

@@ -9,7 +9,7 @@
 
 #include <rapidcheck.h>
 
-#include "command/run_command.hpp"
+#include "command/run_command_test.hpp"
 
 namespace circumspect::cli {
 
