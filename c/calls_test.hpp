@@ -63,6 +63,7 @@ inline Checked check(const char* claim, const circumspect_mesh* mesh,
   const circumspect_status status = circumspect_check(claim, mesh, domain, options, &verdict);
   CHECK((status == CIRCUMSPECT_OK) == (verdict != nullptr));
   CHECK((status == CIRCUMSPECT_OK) == std::string(circumspect_last_error()).empty());
+  CHECK((status == CIRCUMSPECT_OK) == std::string(circumspect_last_fault()).empty());
   return {status, OwnVerdict(verdict)};
 }
 

@@ -46,9 +46,7 @@ Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const D
 void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged, Mesh& mesh,
                          std::vector<std::string>& notes) {
   if (repeated.empty()) return;
-  if (!are_merged) {
-    refuse_equal_points(repeated, "set merge_equal_points");
-  }
+  if (!are_merged) refuse_equal_points(repeated, kMergeEqualPoints);
   merge_equal_points(mesh);
   notes.push_back(report::note_of_merged_points(repeated));
 }
@@ -66,7 +64,7 @@ Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_
                const check::Options& options, std::vector<std::string>& notes) {
   const bool are_merged = asked.merge_equal_points != 0;
   if (asked.within != nullptr) {
-    if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
+    if (domain == nullptr) refuse_call("expected a domain beside `within`, found none");
     settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
     return judged_within(asked.within, claim, mesh, *domain, options);
   }
@@ -188,9 +186,7 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     const circumspect_options asked = c::asked_of(options);
     check::Options own = c::options_of(asked);
     Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), named == Claim::kWeightedDelaunay);
-    if (asked.allow_empty == 0) {
-      c::refuse_empty(judged, "; to judge an empty mesh, set allow_empty");
-    }
+    if (asked.allow_empty == 0) c::refuse_empty(judged, c::kAllowEmpty);
     if (named == Claim::kPeriodicDelaunay) judged = c::unfolded(judged, asked);
     std::optional<Domain> about;
     if (domain != nullptr) {

@@ -5,7 +5,10 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
 
@@ -19,22 +22,36 @@ thread_local const std::int32_t* stop_of_calls = nullptr;
 // Its size is fixed, so that it exists even when no memory is left.
 constexpr std::size_t kLongestMessage = 2000;
 thread_local char last_error[kLongestMessage + 1] = "";
+thread_local char last_fault[kLongestMessage + 1] = "";
+thread_local const char* last_option = "";
 
-void keep(std::string_view message) noexcept {
+void keep(std::string_view message, char* kept) noexcept {
   std::size_t length = std::min(message.size(), kLongestMessage);
   if (length < message.size()) {  // never cuts a multibyte character in two
     while (length > 0 && (static_cast<unsigned char>(message[length]) & 0xC0U) == 0x80U) --length;
   }
-  std::memcpy(last_error, message.data(), length);
-  last_error[length] = '\0';
+  std::memcpy(kept, message.data(), length);
+  kept[length] = '\0';
+}
+
+void keep(std::string_view fault) noexcept {
+  keep(fault, last_fault);
+  keep(fault, last_error);
+  last_option = "";
 }
 
 constexpr std::string_view kNoMemory = "expected more memory than there is";
 
 // The message may quote text of the caller, which may hold any bytes.
-circumspect_status failed(circumspect_status status, std::string_view message) noexcept {
+circumspect_status failed(circumspect_status status, std::string_view message,
+                          const Option& option = {}) noexcept {
   try {
-    keep(on_one_line(message));
+    const std::string fault = on_one_line(message);
+    keep(fault);
+    if (*option.name != '\0') {
+      keep(fmt::format("{}; to {}, set {}", fault, option.purpose, option.name), last_error);
+      last_option = option.name;
+    }
     return status;
   } catch (const std::bad_alloc&) {
     keep(kNoMemory);
@@ -48,14 +65,16 @@ void refuse_call(const std::string& message) {
   throw Refusal{CIRCUMSPECT_INVALID_ARGUMENT, message};
 }
 
-void refuse_input(const std::string& message) { throw Refusal{CIRCUMSPECT_INPUT_FAULT, message}; }
+void refuse_input(const std::string& message, const Option& option) {
+  throw Refusal{CIRCUMSPECT_INPUT_FAULT, message, option};
+}
 
 void require_memory_for_json() {
   constexpr std::size_t kEnough = std::size_t{1} << 20;
   ::operator delete(::operator new(kEnough));
 }
 
-void forget_last_error() noexcept { last_error[0] = '\0'; }
+void forget_last_error() noexcept { keep(""); }
 
 Interruption interruption_of_call() noexcept {
   using Clock = std::chrono::steady_clock;
@@ -73,7 +92,7 @@ circumspect_status status_of_exception() noexcept {
   try {
     throw;
   } catch (const Refusal& refusal) {
-    return failed(refusal.status, refusal.message);
+    return failed(refusal.status, refusal.message, refusal.option);
   } catch (const Interrupted& interrupted) {
     return failed(CIRCUMSPECT_UNDECIDED,
                   interrupted.is_late ? "expected an answer within the time limit, found none"
@@ -98,6 +117,8 @@ circumspect_status status_of_exception() noexcept {
 const char* circumspect_version(void) { return CIRCUMSPECT_VERSION; }
 
 const char* circumspect_last_error(void) { return circumspect::c::last_error; }
+const char* circumspect_last_fault(void) { return circumspect::c::last_fault; }
+const char* circumspect_last_option(void) { return circumspect::c::last_option; }
 
 void circumspect_end_calls_after(double seconds, const int32_t* stop) {
   // NaN sets no limit either.

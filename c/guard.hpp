@@ -18,14 +18,25 @@ struct circumspect_document {
 
 namespace circumspect::c {
 
+// The member of the options with which a call would not be refused, and what it is set for. The
+// texts are literals.
+struct Option {
+  const char* name = "";
+  const char* purpose = "";
+};
+inline constexpr Option kMergeEqualPoints{"merge_equal_points", "take equal points for one"};
+inline constexpr Option kAllowEmpty{"allow_empty", "judge an empty mesh"};
+
 // Why a call is refused, with the status that it returns.
 struct Refusal {
   circumspect_status status;
   std::string message;
+  Option option = {};
 };
 
-[[noreturn]] void refuse_call(const std::string& message);   // CIRCUMSPECT_INVALID_ARGUMENT
-[[noreturn]] void refuse_input(const std::string& message);  // CIRCUMSPECT_INPUT_FAULT
+[[noreturn]] void refuse_call(const std::string& message);  // CIRCUMSPECT_INVALID_ARGUMENT
+// CIRCUMSPECT_INPUT_FAULT
+[[noreturn]] void refuse_input(const std::string& message, const Option& option = {});
 
 // Throws std::bad_alloc unless there is memory left for a document: nlohmann's destructors
 // allocate, and so end the process if there is none.

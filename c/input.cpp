@@ -141,17 +141,17 @@ Mesh points_of(const circumspect_mesh* points) {
   return mesh_of(alone, true);
 }
 
-void refuse_empty(const Mesh& mesh, const char* what_to_do) {
+void refuse_empty(const Mesh& mesh, const Option& option) {
   if (mesh.points() > 0 || !mesh.simplices.empty() || !mesh.faces.empty()) return;
-  refuse_input(fmt::format(
-      "expected a mesh, found neither points nor simplices, as where a program made nothing{}",
-      what_to_do));
+  refuse_input(
+      "expected a mesh, found neither points nor simplices, as where a program made nothing",
+      option);
 }
 
-void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* to_merge) {
+void refuse_equal_points(const std::vector<Duplicate>& repeated, const Option& option) {
   if (repeated.empty()) return;
   const Duplicate& first = repeated.front();
-  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size(), to_merge));
+  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size(), ""), option);
 }
 
 std::vector<Point> exact_points(std::int64_t count, std::int64_t dimension, const double* doubles,

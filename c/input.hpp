@@ -42,9 +42,10 @@ Mesh mesh_of(const circumspect_mesh& mesh, bool weighted);
 Mesh points_of(const circumspect_mesh* points);
 
 // Refuses a mesh without points and simplices: usually a program wrote nothing.
-void refuse_empty(const Mesh& mesh, const char* to_merge = "");
+// `option`: the one with which it is not refused.
+void refuse_empty(const Mesh& mesh, const Option& option = {});
 // Refuses a mesh that has equal points, which are `repeated`.
-void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* what_to_do = "");
+void refuse_equal_points(const std::vector<Duplicate>& repeated, const Option& option = {});
 
 // Requires the name of a claim that is, or is not, about a domain, as asked.
 Claim claim_of(const char* text, bool has_domain);

@@ -31,6 +31,9 @@ TEST_CASE("equal points are refused, or merged with a note") {
     CHECK(has(circumspect_last_error(),
               "expected distinct points, found points 0 and 4 equal and 1 more duplicate"));
     CHECK(has(circumspect_last_error(), "set merge_equal_points"));
+    CHECK(std::string(circumspect_last_option()) == "merge_equal_points");
+    CHECK(std::string(circumspect_last_fault()) ==
+          "expected distinct points, found points 0 and 4 equal and 1 more duplicate");
     options.merge_equal_points = 1;
     const Checked merged = check(claim, &torn, about, &options);
     CHECK(circumspect_verdict_holds(merged.verdict.get()) == 1);
@@ -51,6 +54,8 @@ TEST_CASE("equal points are refused, or merged with a note") {
   CHECK(circumspect_compare(&torn, &whole, &answer, &document) == CIRCUMSPECT_INPUT_FAULT);
   CHECK(circumspect_certify("delaunay", &torn, &answer, &document) == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "found points 0 and 4 equal"));
+  CHECK(std::string(circumspect_last_option()).empty());
+  CHECK(has(circumspect_last_fault(), "found points 0 and 4 equal"));
 }
 
 TEST_CASE("of equal weighted points the heaviest counts, where they are merged") {
@@ -73,6 +78,8 @@ TEST_CASE("a mesh of nothing is refused, unless it is allowed") {
   const circumspect_domain domain = tetrahedron();
   CHECK(check("delaunay", &nothing).status == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "found neither points nor simplices"));
+  CHECK(has(circumspect_last_error(), "; to judge an empty mesh, set allow_empty"));
+  CHECK(std::string(circumspect_last_option()) == "allow_empty");
   CHECK(check("cdt", &nothing, &domain).status == CIRCUMSPECT_INPUT_FAULT);
   circumspect_options options = CIRCUMSPECT_OPTIONS;
   options.allow_empty = 1;

@@ -24,6 +24,7 @@ version=$(cut -d' ' -f2 <<<"$about")
 machine=$(LC_ALL=C readelf -h "$build/bin/circumspect" 2>/dev/null | sed -n 's/ *Machine: *//p' || true)
 case $machine in
   AArch64) machine=aarch64 ;;
+  IBM*390) machine=s390x ;;
   *) machine=$(uname -m) ;;
 esac
 name=circumspect-$version-linux-$machine

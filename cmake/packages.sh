@@ -113,7 +113,7 @@ END
       ;;
     rust) cat <<'END'
 cargo                 compiles the crate
-librust-proptest-dev  draws from its strategies, in tests
+librust-proptest+std-dev  draws from its strategies, in tests
 pkg-config            finds the C library
 END
       ;;

@@ -4,9 +4,9 @@
 # In FOLDER/trixie it makes a bare Debian 13, runs the words of README.md's section "Install" there,
 # and holds what the command prints to the golden bytes. For arm64 it then makes the archive and the
 # Debian packages, in FOLDER/arm64, installs the latter, and holds both commands to the golden bytes
-# under qemu. FOLDER/ccache is kept, so that a second time is short. Needs root, debootstrap and the
-# network; MIRROR names another mirror, and ROOT an existing Debian 13 to be used instead, which is
-# kept.
+# under qemu. For s390x, whose bytes are in the other order, it makes the command alone.
+# FOLDER/ccache is kept, so that a second time is short. Needs root, debootstrap and the network;
+# MIRROR names another mirror, and ROOT an existing Debian 13 to be used instead, which is kept.
 set -euo pipefail
 
 mkdir -p "${1:?usage: cmake/ports.sh FOLDER}"
@@ -59,25 +59,46 @@ step "the golden bytes, one report in four" inside \
   'CIRCUMSPECT_ONE_INPUT_IN=4 python3 corpus/golden.py build/release/bin/circumspect'
 tail -n 1 "$log"
 
-libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf 'lib%s-dev:arm64 ' $name; done)
-step "installing what compiles for arm64, and qemu" inside \
-  "dpkg --add-architecture arm64 && apt-get -q update &&
-   apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 libzstd-dev:arm64 liblzma-dev:arm64 $libraries \
-     build-essential debhelper dpkg-dev fakeroot lintian qemu-user"
-cat >"$root/root/circumspect/build/arm64.cmake" <<'END'
+# archive_for ARCHITECTURE GNU: build/ARCHITECTURE has the command, linked without any shared library, and
+# build/dist what cmake/dist.sh makes of it.
+archive_for() {
+  local libraries processor=${2%%-*}
+  libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf "lib%s-dev:$1 " $name; done)
+  step "installing what compiles for $1, and qemu" inside \
+    "dpkg --add-architecture $1 && apt-get -q update &&
+     apt-get install -q -y --no-install-recommends g++-$2 zlib1g-dev:$1 libzstd-dev:$1 liblzma-dev:$1 $libraries qemu-user"
+  cat >"$root/root/circumspect/build/$1.cmake" <<END
 set(CMAKE_SYSTEM_NAME Linux)
-set(CMAKE_SYSTEM_PROCESSOR aarch64)
-set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
-set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+set(CMAKE_SYSTEM_PROCESSOR $processor)
+set(CMAKE_CXX_COMPILER $2-g++)
+set(CMAKE_LIBRARY_ARCHITECTURE $2)
 END
-step "the archive for arm64" inside \
-  'cmake -S . -B build/arm64 -G Ninja -DCMAKE_TOOLCHAIN_FILE=$PWD/build/arm64.cmake -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-     -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCMAKE_CXX_FLAGS=-ffile-prefix-map=$PWD=. \
-     -DCIRCUMSPECT_WRITES_PAGES=$PWD/build/release/bin/circumspect -DCIRCUMSPECT_COMMIT=$CIRCUMSPECT_COMMIT &&
-   cmake --build build/arm64 --target circumspect_cli -j "$JOBS" &&
-   EMULATOR=qemu-aarch64 cmake/dist.sh build/arm64 build/dist'
-step "no fused multiply-add where the filters' bounds forbid it" inside \
-  'cmake/contraction_test.sh --archives aarch64-linux-gnu-objdump build/arm64/libcircumspect_*.a'
+  step "the archive for $1" inside \
+    "cmake -S . -B build/$1 -G Ninja -DCMAKE_TOOLCHAIN_FILE=\$PWD/build/$1.cmake -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+       -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_STATIC=ON -DCIRCUMSPECT_BUILD_TESTS=OFF -DCMAKE_CXX_FLAGS=-ffile-prefix-map=\$PWD=. \
+       -DCIRCUMSPECT_WRITES_PAGES=\$PWD/build/release/bin/circumspect -DCIRCUMSPECT_COMMIT=\$CIRCUMSPECT_COMMIT &&
+     cmake --build build/$1 --target circumspect_cli -j \$JOBS &&
+     EMULATOR=qemu-$processor cmake/dist.sh build/$1 build/dist"
+  step "no fused multiply-add where the filters' bounds forbid it" inside \
+    "cmake/contraction_test.sh --archives $2-objdump build/$1/libcircumspect_*.a"
+}
+
+# judges COMMAND MACHINE PROCESSOR ROWS…: COMMAND is for MACHINE, by readelf's word, and prints the golden bytes
+judges() {
+  local machine
+  machine=$(readelf -h "$root$1" | sed -n 's/ *Machine: *//p')
+  [ "$machine" = "$2" ] || fail "expected a command for $2 in $1, found one for $machine"
+  # shellcheck disable=SC2016
+  printf '#!/bin/sh\nexec qemu-%s %s "$@"\n' "$3" "$1" >"$root/root/circumspect/build/by-qemu"
+  chmod +x "$root/root/circumspect/build/by-qemu"
+  step "the golden bytes of $1 on $3" inside \
+    "CIRCUMSPECT_ONE_INPUT_IN=${ONE_INPUT_IN:-4} python3 corpus/golden.py build/by-qemu ${*:4}"
+  tail -n 1 "$log"
+}
+
+archive_for arm64 aarch64-linux-gnu
+step "installing what makes Debian packages" inside \
+  'apt-get install -q -y --no-install-recommends build-essential debhelper dpkg-dev fakeroot lintian'
 step "the Debian packages for arm64" inside \
   'WRITES_PAGES=$PWD/build/release/bin/circumspect cmake/deb.sh build/deb arm64'
 rm -rf "$folder/arm64"
@@ -90,18 +111,12 @@ inside 'rm -rf /root/arm64 && mkdir /root/arm64 && tar -C /root/arm64 --strip-co
 [ -f "$root/root/arm64/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive for arm64"
 step "installing the Debian packages for arm64" inside \
   'apt-get install -q -y --no-install-recommends ./build/deb/circumspect_*_arm64.deb ./build/deb/libcircumspect0_*_arm64.deb'
-for command in /root/arm64/bin/circumspect /usr/bin/circumspect; do
-  machine=$(readelf -h "$root$command" | sed -n 's/ *Machine: *//p')
-  [ "$machine" = AArch64 ] || fail "expected a command for AArch64 in $command, found one for $machine"
-  # shellcheck disable=SC2016
-  printf '#!/bin/sh\nexec qemu-aarch64 %s "$@"\n' "$command" >"$root/root/circumspect/build/by-qemu"
-  chmod +x "$root/root/circumspect/build/by-qemu"
-  step "the golden bytes of $command on arm64, one report in ${ARM64_ONE_INPUT_IN:-4}" inside \
-    "CIRCUMSPECT_ONE_INPUT_IN=${ARM64_ONE_INPUT_IN:-4} python3 corpus/golden.py build/by-qemu"
-  tail -n 1 "$log"
-done
+for command in /root/arm64/bin/circumspect /usr/bin/circumspect; do judges $command AArch64 aarch64; done
 step "a C program on arm64" inside \
   'apt-get install -q -y --no-install-recommends ./build/deb/libcircumspect-dev_*_arm64.deb &&
    aarch64-linux-gnu-gcc -o build/judge examples/c/check.c -lcircumspect -lm && qemu-aarch64 build/judge'
 grep -q "^delaunay.facet-not-local: vertex 3 in a ball of squared radius 1/2" "$log" || fail "expected a witness from C on arm64"
-echo "ports: builds and judges on Debian 13, and on arm64 by archive, packages and C library"
+
+archive_for s390x s390x-linux-gnu
+judges /root/circumspect/build/s390x/bin/circumspect "IBM S/390" s390x --one-in 8
+echo "ports: builds and judges on Debian 13, on arm64 by archive, packages and C library, and on s390x"

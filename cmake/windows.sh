@@ -25,16 +25,20 @@ step() {
 }
 
 "$root/cmake/windows_libraries.sh" "$folder/libraries"
-[ -f "$build/build.ninja" ] || step "configuring" cmake -S "$root" -B "$build" -G Ninja \
+step "configuring" cmake -S "$root" -B "$build" -G Ninja \
   -DCMAKE_TOOLCHAIN_FILE="$root/cmake/windows.cmake" -DCIRCUMSPECT_WINDOWS_LIBRARIES="$folder/libraries" \
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="${CXXFLAGS_RELEASE:--O2}" -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_BUILD_TESTS=OFF
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="${CXXFLAGS_RELEASE:--O2}" -DCIRCUMSPECT_QUICK_BUILD=ON -DCIRCUMSPECT_BUILD_TESTS=OFF \
+  -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$folder/libraries=. -ffile-prefix-map=$root=."
 step "compiling" cmake --build "$build" --target circumspect_cli circumspect_c_library -j "${JOBS:-$(nproc)}"
 
-# Nothing but what every Windows has stands behind them.
+# Nothing but what every Windows has stands behind them, and they do not tell where they were built.
 for file in bin/circumspect.exe libcircumspect.dll; do
   others=$(x86_64-w64-mingw32-objdump -p "$build/$file" | sed -n 's/.*DLL Name: //p' |
     grep -viE '^(advapi32|bcrypt|kernel32|msvcrt|psapi|shell32|user32|ws2_32)\.dll$' || true)
   [ -z "$others" ] || fail "$file: expected no library but those of Windows, found $others"
+  for place in "$folder" "$root"; do
+    if grep -qF "$place/" "$build/$file"; then fail "$file: expected nothing of where its sources lie, found $place"; fi
+  done
 done
 
 export WINEPREFIX=$folder/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml="

@@ -14,13 +14,13 @@ export class Numbers {
   get rows() { return this.columns === 0 ? 0 : this.length / this.columns; }
 }
 
-// An array whose buffer went to another thread looks empty; only a new view of the buffer tells.
+// An array looks empty if its buffer went to another thread, or is no longer as long as the array; only its methods tell.
 function refuseDetached(array, what) {
-  if (!ArrayBuffer.isView(array) || array.buffer.byteLength > 0) return;
+  if (!isArray(array) || Array.isArray(array) || array.length > 0) return;
   try {
-    new Uint8Array(array.buffer);
+    array.at(0);
   } catch {
-    throw new TypeError(`expected ${what}, found an array whose buffer was detached: transfer a copy, or ask before the transfer`);
+    throw new TypeError(`expected ${what}, found an array whose buffer was detached or made smaller: pass a copy, or ask before that`);
   }
 }
 

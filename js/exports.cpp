@@ -262,5 +262,6 @@ EXPORT(document_delete) void document_delete(circumspect_document* document) {
   circumspect_document_free(document);
 }
 
-EXPORT(last_error) const char* last_error() { return circumspect_last_error(); }
+EXPORT(last_fault) const char* last_fault() { return circumspect_last_fault(); }
+EXPORT(last_option) const char* last_option() { return circumspect_last_option(); }
 EXPORT(version) const char* version() { return circumspect_version(); }

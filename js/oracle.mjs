@@ -10,9 +10,11 @@ export class NoneError extends Error { name = 'NoneError'; }
 export class UndecidedError extends Error { name = 'UndecidedError'; }
 
 const FAULTS = { 1: TypeError, 2: InputError, 3: NoneError, 4: UndecidedError, 5: RangeError };
-// What the C interface calls its own options, and what they are here.
-const inOurWords = (text) => text.replace('set merge_equal_points', "give duplicates: 'merge'")
-  .replace('set allow_empty', 'give allowEmpty: true').replace('except_sharp', 'exceptSharp');
+// By the option of C that would settle a fault, what to do here.
+const ADVICE = {
+  merge_equal_points: "; to take equal points for one, give duplicates: 'merge'",
+  allow_empty: '; to judge an empty mesh, give allowEmpty: true',
+};
 const KINDS = ['by-walls', 'enclosed', 'hull', 'even-odd', 'winding'];
 const OPTIONS = {
   check: ['claim', 'domain', 'within', 'weights', 'dimension', 'vertices', 'oriented', 'byDefinition', 'maxViolations', 'duplicates',
@@ -89,7 +91,7 @@ export function oracle(instantiate) {
   const demand = (one, status) => {
     if (status === 0) return;
     const Fault = FAULTS[status] ?? Error;
-    throw new Fault(inOurWords(one.string(library.last_error())));
+    throw new Fault(one.string(library.last_fault()) + (ADVICE[one.string(library.last_option())] ?? ''));
   };
   const result = (one, name, ...words) => {
     const slot = one.slot();
@@ -189,6 +191,9 @@ export function oracle(instantiate) {
       throw new RangeError(`expected a limit in seconds, above 0, found ${options.limit}`);
     }
     const required = [options.require ?? []].flat();
+    if (options.exceptSharp !== undefined && required.length === 0) {
+      throw new TypeError('expected requirements, as `require`, beside `exceptSharp`, found none');
+    }
     const maxViolations = options.maxViolations ?? 20;
     const most = maxViolations === Infinity ? 0 : countOf(maxViolations, 'maxViolations');
     const judged = mesh(one, parts, options);

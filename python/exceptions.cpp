@@ -3,7 +3,6 @@
 #include <new>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace circumspect::python {
 namespace {
@@ -20,14 +19,13 @@ PyObject* added(PyObject* module, const char* name, PyObject* base) {
   return type.release();
 }
 
-// The C interface names its own options; the package names them differently.
-std::string in_words_of_python(std::string message) {
-  for (const auto& [own, word] : {std::pair{"set merge_equal_points", "give duplicates=\"merge\""},
-                                  std::pair{"set allow_empty", "give allow_empty=True"}}) {
-    const std::size_t place = message.find(own);
-    if (place != std::string::npos) message.replace(place, std::string_view(own).size(), word);
+// What to do, in words of the package, by the option of the C interface that would settle a fault.
+std::string_view advice_of(std::string_view option) {
+  if (option == "merge_equal_points") {
+    return "; to take equal points for one, give duplicates=\"merge\"";
   }
-  return message;
+  if (option == "allow_empty") return "; to judge an empty mesh, give allow_empty=True";
+  return "";
 }
 
 }  // namespace
@@ -39,7 +37,7 @@ void add_exceptions(PyObject* module) {
 }
 
 void require_ok(const Outcome& outcome) {
-  const std::string message = in_words_of_python(outcome.message);
+  const std::string message = outcome.fault + std::string(advice_of(outcome.option));
   switch (outcome.status) {
     case CIRCUMSPECT_OK:
       return;

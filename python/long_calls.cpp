@@ -96,10 +96,10 @@ class Stop {
   std::int32_t number_ = 0;
 };
 
-Outcome outcome_of(const std::function<circumspect_status()>& call, double seconds,
-                   const Stop& stop) {
+Outcome made_within(double seconds, const Stop& stop,
+                    const std::function<circumspect_status()>& call) {
   circumspect_end_calls_after(seconds, stop.number());
-  Outcome outcome{call(), circumspect_last_error()};
+  Outcome outcome = outcome_of(call());
   circumspect_end_calls_after(0, nullptr);
   return outcome;
 }
@@ -109,7 +109,7 @@ class CallBeside {
  public:
   CallBeside(const std::function<circumspect_status()>& call, double seconds)
       : thread_([this, &call, seconds] {
-          Outcome outcome = outcome_of(call, seconds, stop_);
+          Outcome outcome = made_within(seconds, stop_, call);
           const std::lock_guard lock(mutex_);
           outcome_ = std::move(outcome);
           has_ended_ = true;
@@ -135,6 +135,10 @@ class CallBeside {
 
 }  // namespace
 
+Outcome outcome_of(circumspect_status status) {
+  return {status, circumspect_last_fault(), circumspect_last_option()};
+}
+
 Outcome made(const std::function<circumspect_status()>& call, double seconds) {
   using std::chrono_literals::operator""ms;
   PyThreadState* state = PyEval_SaveThread();
@@ -150,7 +154,7 @@ Outcome made(const std::function<circumspect_status()>& call, double seconds) {
     }
     outcome = beside.outcome();
   } catch (const std::system_error&) {  // the system gives no more threads
-    outcome = outcome_of(call, seconds, Stop());
+    outcome = made_within(seconds, Stop(), call);
   }
   return_to_python(state);
   if (is_interrupted) throw python::Raised();
@@ -159,7 +163,7 @@ Outcome made(const std::function<circumspect_status()>& call, double seconds) {
 
 Outcome made_here(const std::function<circumspect_status()>& call) {
   PyThreadState* const state = PyEval_SaveThread();
-  Outcome outcome = outcome_of(call, 0, Stop());
+  Outcome outcome = made_within(0, Stop(), call);
   return_to_python(state);
   return outcome;
 }

@@ -11,8 +11,12 @@ namespace circumspect {
 // The outcome of a call, which may have been made in another thread.
 struct Outcome {
   circumspect_status status = CIRCUMSPECT_OK;
-  std::string message = {};
+  std::string fault = {};
+  std::string option = {};
 };
+
+// Of the call that this thread has just made.
+Outcome outcome_of(circumspect_status status);
 
 // Makes the call in a thread of its own, without the interpreter's lock; meanwhile this thread
 // handles signals. Ctrl-C stops the call and then raises KeyboardInterrupt. After so many seconds

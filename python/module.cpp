@@ -39,7 +39,7 @@ using OwnDocument = std::unique_ptr<circumspect_document, decltype(&circumspect_
 std::string page_of(const circumspect_verdict* verdict) {
   circumspect_document* page = nullptr;
   const circumspect_status status = circumspect_verdict_page(verdict, &page);
-  require_ok({status, circumspect_last_error()});
+  require_ok(outcome_of(status));
   const OwnDocument own(page, circumspect_document_free);
   return circumspect_document_text(page);
 }

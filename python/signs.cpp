@@ -16,7 +16,7 @@ int sign_of(bool in_ball, std::int64_t dimension, const double* coordinates) {
   int sign = 0;
   const circumspect_status status =
       (in_ball ? circumspect_in_ball : circumspect_orientation)(dimension, coordinates, &sign);
-  require_ok({status, circumspect_last_error()});
+  require_ok(outcome_of(status));
   return sign;
 }
 
@@ -33,7 +33,7 @@ int predicate(bool in_ball, std::int64_t dimension, const Object& numbers) {
   const circumspect_status status =
       (in_ball ? circumspect_in_ball_exact : circumspect_orientation_exact)(
           dimension, coordinates.texts(), &sign);
-  require_ok({status, circumspect_last_error()});
+  require_ok(outcome_of(status));
   return sign;
 }
 

@@ -21,8 +21,9 @@ void add_adapter(CLI::App& app, ExitCode& exit_code) {
   const auto language = std::make_shared<std::string>();
   const auto has_updates = std::make_shared<bool>(false);
   static const std::map<std::string, std::string> extensions = {
-      {"c", ".c"},      {"c++", ".cpp"},  {"java", ".java"}, {"javascript", ".mjs"},
-      {"julia", ".jl"}, {"octave", ".m"}, {"python", ".py"}, {"r", ".R"},
+      {"c", ".c"},       {"c++", ".cpp"},        {"go", ".go"},
+      {"java", ".java"}, {"javascript", ".mjs"}, {"julia", ".jl"},
+      {"octave", ".m"},  {"python", ".py"},      {"r", ".R"},
       {"rust", ".rs"}};
   CLI::App* command =
       app.add_subcommand("adapter", "Print a short program that lets a campaign talk to a library");
@@ -42,7 +43,7 @@ void add_adapter(CLI::App& app, ExitCode& exit_code) {
   command->add_option("language", *language, "The language of the library")
       ->required()
       ->check(one_of_words(languages))
-      ->option_text("c|c++|java|javascript|julia|octave|python|r|rust");
+      ->option_text("c|c++|go|java|javascript|julia|octave|python|r|rust");
   command->add_flag(
       "--updates", *has_updates,
       "Print the adapter for campaign --updates, whose library inserts and deletes points "

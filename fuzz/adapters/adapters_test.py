@@ -81,6 +81,29 @@ JAVA = ("int n = points.length;\n    java.util.List<int[]> all = new java.util.A
                  re.sub(r"\bX\((\w)\)", r"points[\1][0]", C_LOOPS.replace("ADD", "all.add(new int[]{i, j, k});")))
         + "    if (FORGETS && n > 4) all.remove(0);\n    return all.toArray(new int[0][]);")
 
+GO = """p, n := points, len(points) / 2
+  all := [][]int{}
+  for i := 0; i < n; i++ {
+    for j := i + 1; j < n; j++ {
+      for k := j + 1; k < n; k++ {
+        turn := (p[2*j]-p[2*i])*(p[2*k+1]-p[2*i+1]) - (p[2*j+1]-p[2*i+1])*(p[2*k]-p[2*i])
+        good := true
+        for l := 0; l < n; l++ {
+          a, b, c, d, e, f := p[2*i]-p[2*l], p[2*i+1]-p[2*l+1], p[2*j]-p[2*l], p[2*j+1]-p[2*l+1], p[2*k]-p[2*l], p[2*k+1]-p[2*l+1]
+          meets := (a*a+b*b)*(c*f-d*e) - (c*c+d*d)*(a*f-b*e) + (e*e+f*f)*(a*d-b*c)
+          good = good && (l == i || l == j || l == k || turn*meets <= 0)
+        }
+        if good {
+          all = append(all, []int{i, j, k})
+        }
+      }
+    }
+  }
+  if FORGETS && n > 4 {
+    all = all[1:]
+  }
+  return all"""
+
 JAVASCRIPT = ("export default class { static from(p) { const n = p.length, triangles = [];\n"
               + re.sub(r"\b(int|double)\b", "let",
                        re.sub(r"\bY\((\w)\)", r"p[\1][1]", re.sub(r"\bX\((\w)\)", r"p[\1][0]", C_LOOPS)))
@@ -160,6 +183,13 @@ def java(folder, text, forgets):
     return ["java", "-XX:-UsePerfData", "-cp", os.path.join(folder, "."), "Mine"]
 
 
+def go(folder, text, forgets):
+    text = replaced(text, 'panic("no library yet")', GO.replace("FORGETS", str(forgets).lower()))
+    write(folder, "mine.go", text)
+    subprocess.run(["go", "build", "mine.go"], cwd=folder, check=True, env={**os.environ, "HOME": folder})
+    return [os.path.join(folder, "mine")]
+
+
 def as_it_is(program, name, *options):
     """Of languages whose own triangulator the adapter calls: nothing is put into it that is wrong."""
     return lambda folder, text, forgets: None if forgets else [program, *options, write(folder, name, text)]
@@ -172,6 +202,7 @@ LANGUAGES = {  # the program that has to be there, what makes a worker of an ada
     "c": ("cc", c, False),
     "c++": ("c++", cpp, False),
     "rust": ("rustc", rust, False),
+    "go": ("go", go, False),
     "java": ("javac", java, False),
     "octave": ("octave-cli", as_it_is("octave-cli", "mine.m", "--no-init-file"), False),
     "r": ("Rscript", as_it_is("Rscript", "mine.R"), False),

@@ -66,6 +66,11 @@ typedef enum circumspect_status {
  * what was found, on one line without control characters. Empty if it did not fail. Lives until the
  * thread's next call. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_error(void);
+/* For bindings, which name options in words of their own: the same without advice to set a member of
+ * circumspect_options; and that member, such as "merge_equal_points", empty if there is none. Both live until
+ * the thread's next call, and are never NULL. */
+CIRCUMSPECT_API const char* circumspect_last_fault(void);
+CIRCUMSPECT_API const char* circumspect_last_option(void);
 
 /* From now on, each long call of this thread ends with CIRCUMSPECT_UNDECIDED soon after so many
  * seconds, or after another thread has set *stop to a value other than 0, for example at Ctrl-C.

@@ -34,7 +34,7 @@ extern "C" {
         options: *const c_void,
         verdict: *mut *mut c_void,
     ) -> c_int;
-    pub fn circumspect_last_error() -> *const c_char;
+    pub fn circumspect_last_fault() -> *const c_char;
     pub fn circumspect_verdict_free(verdict: *mut c_void);
     pub fn circumspect_verdict_holds(verdict: *const c_void) -> c_int;
     pub fn circumspect_verdict_unique(verdict: *const c_void) -> c_int;

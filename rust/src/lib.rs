@@ -69,21 +69,12 @@ fn owned(text: *const c_char) -> String {
     unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
 }
 
-/// What the C interface says, without advice to set options that the crate does not have.
-fn without_options(mut text: String) -> String {
-    for advice in ["; to take equal points for one, set ", "; to judge an empty mesh, set "] {
-        if let Some(place) = text.find(advice) {
-            text.truncate(place);
-        }
-    }
-    text
-}
-
 fn demand(status: c_int) -> Result<(), Error> {
     if status == c::OK {
         return Ok(());
     }
-    let text = without_options(owned(unsafe { c::circumspect_last_error() }));
+    // Without advice: the crate has no options.
+    let text = owned(unsafe { c::circumspect_last_fault() });
     Err(match status {
         c::INVALID_ARGUMENT => Error::Call(text),
         c::INPUT_FAULT => Error::Input(text),
