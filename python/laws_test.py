@@ -361,3 +361,43 @@ def test_a_site_without_a_region_has_no_cell():
         assert circumspect.check_voronoi(diagram).rules == {"voronoi.cell-missing": 1}
     diagram.point_region = [1, 1, 1, 1]
     assert circumspect.check_voronoi(diagram)
+
+
+def test_to_assert_is_to_check_whatever_the_claim():
+    square, halves = [[0, 0], [1, 0], [0, 1], [0.9, 0.9]], [[0, 1, 2], [1, 3, 2]]
+    for claim in (None, "triangulation", "delaunay", "complex", "surface-delaunay"):
+        for options in ({}, {"oriented": True}, {"require": "max-angle:89deg"}, {"max_errors": 1}):
+            verdict = circumspect.check(square, halves, claim, **options)
+            try:
+                said = circumspect.assert_delaunay(square, halves, claim, **options)
+            except circumspect.CheckFailed as failed:
+                said = failed.verdict
+            assert str(said) == str(verdict), (claim, options)
+
+
+@pytest.mark.parametrize("dimension", [1, 2, 3])
+def test_a_sign_is_the_same_in_every_unit_and_order(dimension):
+    """Thirds are no doubles, so they take another way than integers do; an odd permutation turns an orientation round."""
+    points = np.random.default_rng(dimension).integers(0, 6, (40, dimension + 2, dimension)).tolist()
+    seen = set()
+    for row in points:
+        thirds = [[Fraction(x, 3) for x in point] for point in row]
+        simplex, swapped = row[:-1], [row[1], row[0], *row[2:-1]]
+        turn, side = circumspect.orient(*simplex), circumspect.in_ball(*row) if circumspect.orient(*row[:-1]) else 0
+        assert circumspect.orient(*thirds[:-1]) == turn == -circumspect.orient(*swapped)
+        if turn:
+            assert circumspect.in_ball(*thirds) == side == circumspect.in_ball(*swapped, row[-1])
+        seen |= {(turn, side)}
+    assert len({turn for turn, _ in seen}) == 3 and len({side for _, side in seen}) == 3
+
+
+def test_faces_that_are_given_stand_for_those_of_the_mesh():
+    """Those of the mesh are all of them stray, and none of those that are given."""
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [9, 9, 9], [8, 9, 9], [9, 8, 9]]
+    stray = {"triangle": [[4, 5, 6]], "line": [[4, 5]]}
+    for own in ({}, {"triangle": stray["triangle"]}, {"line": stray["line"]}, stray):
+        mesh = types.SimpleNamespace(points=points, cells_dict={"tetra": [[0, 1, 2, 3]], **own})
+        for faces in ([[0, 1, 2]], [[0, 1]]):
+            assert circumspect.check(mesh, claim="complex", faces=faces, demands="allow-unused")
+        if own:
+            assert not circumspect.check(mesh, claim="complex", demands="faces allow-unused")
