@@ -12,7 +12,7 @@ Definition everything : unit :=
   @rules_of_domains & @rules_of_whole_domains & @verified_impossible & @verified_unique &
   @verified_canonical & @verified_generic & @verified_any_order & @verified_mesh_alone &
   @verified_not_complex & @rules_of_complexes & @verified_hull & @verified_not_hull &
-  @verified_flat & @verified_line & @verified_not_flat & @rules_of_flats & @verified_surface &
+  @rules_of_hulls & @verified_flat & @verified_line & @verified_not_flat & @rules_of_flats & @verified_surface &
   @verified_not_surface & @verified_periodic & @verified_not_periodic & @rules_of_periodic &
   @built_delaunay & @built_always & @verified_complete & @certificate_exists & @lifting_lemma &
   @delaunay_lemma & @proposition_4_2 & @proposition_4_3 & @theorem_4_4 & @canonical &
