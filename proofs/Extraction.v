@@ -74,4 +74,4 @@ Extraction "extracted.ml" judge refute rule_of rule_name claim_name
     domain_claim_name refute_domain domain_rule_of domain_rule_name
   refute_whole whole_rule_of check_impossible wrap judge_hull judge_flat check_surface
   check_line refute_flat refute_hull refute_surface check_periodic refute_periodic
-  periodic_rule_name.
+  periodic_rule_name hull_rule_name.

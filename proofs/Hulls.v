@@ -3,7 +3,7 @@
 
     docs/theory/questions.md has the same definition in words.  [CERTIFICATE.md] describes the
     files. *)
-From Coq Require Import Rbase List ZArith.
+From Coq Require Import String Rbase List ZArith.
 From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
@@ -22,21 +22,39 @@ Record boundary_of_hull (S : list (point d)) (H : list (simplex d)) : Prop := {
 }.
 End Hull.
 
-(** ** A rule that the facets may break
+(** ** Rules that the facets may break
 
-    [S] and [L] are as in [Definitions.v].  Two points are on different sides of a listed facet. *)
-Section Rule.
+    [S] and [L] are as in [Definitions.v]. *)
+Section Rules.
 Context {d : nat}.
 Implicit Types (S : list (point d)) (L : list (list (option (point d)))).
 Definition claims_hull S L : Prop := exists H, L = map (map Some) H /\ boundary_of_hull S H.
+(** Two points are on different sides of a listed facet. *)
 Definition facet_not_supporting S L : Prop := exists f p q, listed L f /\ length f = d /\
   affinely_independent f /\ In p S /\ In q S /\ on_opposite_sides f p q.
-End Rule.
+(** A point of the boundary is in no listed facet. *)
+Definition hull_uncovered S L : Prop := exists q,
+  boundary (LinearCell d (fun _ => True) (conv S)) q /\ forall f, listed L f -> ~ conv f q.
+End Rules.
 
-(** A refutation: the mesh, a simplex and two points, by their numbers.  (The evidence and the basis
-    of the mesh are not read.) *)
-Record hull_refutation := HullRefutation {
-  hull_mesh : refutation; hull_facet : positive; one_beyond : positive; other_beyond : positive }.
+(** Where to look: a simplex and two points; or d + 1 points, of which all but the last are on a
+    hyperplane with no point beyond it, and the point q / w between these. *)
+Inductive hull_evidence :=
+  | OnBothSides (t p q : positive)
+  | InNoFacet (X : list positive) (q : site) (w : Z).
+Definition hull_rule_name (e : hull_evidence) : string :=
+  match e with
+  | OnBothSides _ _ _ => "hull.facet-not-supporting"
+  | InNoFacet _ _ _ => "hull.uncovered"
+  end%string.
+Definition broken_of_hull {d} (e : hull_evidence) :
+    list (point d) -> list (list (option (point d))) -> Prop :=
+  match e with
+  | OnBothSides _ _ _ => facet_not_supporting
+  | InNoFacet _ _ _ => hull_uncovered
+  end.
+(** (The evidence and the basis of the mesh are not read.) *)
+Record hull_refutation := HullRefutation { hull_mesh : refutation; hull_because : hull_evidence }.
 
 (** ** Certificates, as they stand in a file
 

@@ -3,7 +3,7 @@ From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation.
 From Circumspect Require Import ImpossibleChecker MeshAlone AloneRefutation GiftWrapping Honest.
 From Circumspect Require Import FlatRefutation Definitions Domains DomainRules Complexes Flats.
-From Circumspect Require Import Periodic.
+From Circumspect Require Import Periodic Hulls.
 From Circumspect Require Uniqueness Soundness RefutationSound DomainSound Solid ImpossibleSound.
 From Circumspect Require Completeness EveryTriangulation Separated MeshAloneSound AloneRefuted.
 From Circumspect Require BuiltDelaunay AnyOrder Judged SettlingSound ComplexSound DomainRefuted.
@@ -137,6 +137,9 @@ Proof.
   apply andb_prop in A. destruct A as [A _].
   destruct (because (mesh_alone x)); try discriminate; listed.
 Qed.
+Theorem rules_of_hulls x : In (hull_rule_name (hull_because x))
+  ["hull.facet-not-supporting"; "hull.uncovered"]%string.
+Proof. destruct (hull_because x); listed. Qed.
 Theorem rules_of_periodic x : In (periodic_rule_name (periodic_because x))
   ["simplex.degenerate"; "complex.duplicate-simplex"; "complex.not-closed";
    "triangulation.covered-twice"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.

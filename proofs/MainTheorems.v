@@ -243,12 +243,14 @@ Theorem verified_hull D p k X s : judge_hull D p k X s = Holds ->
   let S := points_below (dimension_of D) c k in
   NoDup S /\ spans S /\ boundary_of_hull S (facets_below (dimension_of D) c k).
 Proof. apply HullSound.judge_hull_sound. Qed.
-(** An accepted refutation of it: points lie on both sides of a facet, which is the rule that is
-    printed, ["hull.facet-not-supporting"]. *)
+(** An accepted refutation of it: they are not, because the rule that is printed is broken. *)
 Theorem verified_not_hull D x : refute_hull D x = true ->
-  facet_not_supporting (refuted_points D (hull_mesh x)) (refuted_simplices D (hull_mesh x)) /\
-  ~ claims_hull (refuted_points D (hull_mesh x)) (refuted_simplices D (hull_mesh x)).
+  let S := refuted_points D (hull_mesh x) in let L := refuted_simplices D (hull_mesh x) in
+  broken_of_hull (hull_because x) S L /\ ~ claims_hull S L.
 Proof. apply HullRefuted.refute_hull_rule. Qed.
+Theorem rules_of_hulls x : In (hull_rule_name (hull_because x))
+  ["hull.facet-not-supporting"; "hull.uncovered"]%string.
+Proof. apply MainProofs.rules_of_hulls. Qed.
 
 (** An accepted certificate of points in space that lie in one plane: the triangles are a
     triangulation of these points, Delaunay if the certificate claims it. *)

@@ -41,11 +41,13 @@ std::optional<Evidence> hanging_evidence(const ExactMesh& mesh, const ScaledPoin
   return overlap_evidence(mesh, points, Rule::kHangingVertex, witness);
 }
 
-// Of points that do not span few rules are refuted, and of hulls and surfaces one each; and of a
-// mesh alone some can be shown of simplices of full dimension only.
+// Of points that do not span few rules are refuted, of hulls two, and of surfaces one; and of
+// a mesh alone some can be shown of simplices of full dimension only.
 bool may_be_shown(const ExactMesh& mesh, const Verdict& verdict, Rule rule) {
   if (verdict.claim() == Claim::kSurfaceDelaunay) return rule == Rule::kEdgeNotDelaunay;
-  if (verdict.claim() == Claim::kConvexHull) return rule == Rule::kFacetNotSupporting;
+  if (verdict.claim() == Claim::kConvexHull) {
+    return rule == Rule::kFacetNotSupporting || rule == Rule::kHullUncovered;
+  }
   if (mesh.points.dimension() < static_cast<int>(mesh.points.ambient_dimension())) {
     return rule == Rule::kWrongDimension || rule == Rule::kUnusedPoint ||
            rule == Rule::kFacetNotLocal || rule == Rule::kVertexInBall;
@@ -99,6 +101,10 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
     case Rule::kFacetNotSupporting:
       return from_violations(
           verdict, rule, [&](const Witness& witness) { return two_sides_evidence(mesh, witness); });
+    case Rule::kHullUncovered:
+      return from_violations(verdict, rule, [&](const Witness& witness) {
+        return uncovered_hull_evidence(mesh, points, witness);
+      });
     case Rule::kEdgeNotDelaunay:
       return from_violations(verdict, rule,
                              [&](const Witness& witness) { return edge_evidence(mesh, witness); });

@@ -274,6 +274,99 @@ std::optional<Evidence> two_sides_evidence(const ExactMesh& mesh, const Witness&
                    to_integer(witness.vertices[1]) + 1}};
 }
 
+namespace {
+
+// A vertex last in a simplex whose others stay.
+Simplex with(Simplex others, Vertex last) {
+  others.push_back(last);
+  return others;
+}
+
+// A facet of the hull beyond a ridge of this one, and a point beside it. Where others lie in the
+// plane of this facet, it is there; else it is the first that a plane about the ridge meets.
+// Requires: `facet` ends with its vertex off the ridge, and is in the boundary of the hull.
+std::optional<Simplex> facet_beyond(Sidedness& sidedness, Vertex count, const Simplex& facet) {
+  const Simplex ridge(facet.begin(), std::prev(facet.end()));
+  const Vertex apex = facet.back();
+  Vertex beside = 0;
+  while (beside < count && sidedness.orientation(with(facet, beside)) == 0) ++beside;
+  if (beside == count) return std::nullopt;
+  const int own = sidedness.orientation(with(facet, beside));
+  Vertex found = beside;
+  for (Vertex v = 0; v < count; ++v) {
+    const Simplex turned = with(ridge, v);
+    if (sidedness.orientation(with(turned, beside)) == -own &&
+        sidedness.orientation(with(turned, apex)) == 0) {
+      return with(turned, beside);
+    }
+    const Simplex before = with(ridge, found);
+    if (sidedness.orientation(with(before, v)) == -sidedness.orientation(with(before, apex))) {
+      found = v;
+    }
+  }
+  return with(with(ridge, found), apex);
+}
+
+// On the way from the middle of a ridge to vertex `to`: the 2^halvings-th part of it.
+HomogeneousPoint near_ridge(const ScaledPoints& points, const Simplex& ridge, Vertex to,
+                            std::size_t halvings) {
+  Integer part = 1;
+  for (std::size_t i = 0; i < halvings; ++i) part *= 2;
+  const Integer count = to_integer(ridge.size());
+  HomogeneousPoint point{{}, part * count};
+  for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+    Integer sum = count * points.coordinate(to, axis);
+    for (const Vertex v : ridge) sum += (part - 1) * points.coordinate(v, axis);
+    point.numerators.push_back(std::move(sum));
+  }
+  return in_lowest_terms(std::move(point));
+}
+
+// Some vertex of `around` shows that the point is not in the facet: together they make a simplex.
+bool is_off(Sidedness& sidedness, const Simplex& facet, const Simplex& around,
+            const HomogeneousPoint& point) {
+  return std::any_of(around.begin(), around.end(), [&](Vertex v) {
+    const Simplex simplex = with(facet, v);
+    const int own = sidedness.orientation(simplex);
+    return own != 0 && (sidedness.separating_place(simplex, own, point) ||
+                        sidedness.orientation_with(simplex, facet.size(), point) == own);
+  });
+}
+
+}  // namespace
+
+std::optional<Evidence> uncovered_hull_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                                const Witness& witness) {
+  if (!witness.face || witness.simplices.empty()) return std::nullopt;
+  Simplex facet = *witness.face;
+  for (const Vertex v : witness.simplices.front()) {
+    if (!contains(facet, v)) facet.push_back(v);
+  }
+  if (facet.size() != points.dimension) return std::nullopt;
+  Sidedness sidedness(points);
+  const auto around = facet_beyond(sidedness, static_cast<Vertex>(mesh.points.size()), facet);
+  if (!around) return std::nullopt;
+  const Vertex to = (*around)[points.dimension - 1];
+  // Near the ridge there is no facet but those at it; this many halvings are more than enough for
+  // points of a program.
+  constexpr std::size_t kMostHalvings = 200;
+  for (std::size_t halvings = 1; halvings < kMostHalvings; ++halvings) {
+    const HomogeneousPoint point = near_ridge(points, *witness.face, to, halvings);
+    if (!std::all_of(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& row) {
+          return row.size() == points.dimension && is_off(sidedness, row, *around, point);
+        })) {
+      continue;
+    }
+    Evidence evidence{Rule::kHullUncovered, {}};
+    for (const Vertex v : *around) evidence.because.emplace_back(to_integer(v) + 1);
+    evidence.because.insert(evidence.because.end(), point.numerators.begin(),
+                            point.numerators.end());
+    evidence.because.push_back(point.denominator);
+    return evidence;
+  }
+  return std::nullopt;
+}
+
 std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness) {
   Evidence evidence{Rule::kEdgeNotDelaunay, {}};
   for (std::size_t side = 0; side < 2; ++side) {

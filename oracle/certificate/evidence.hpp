@@ -36,6 +36,11 @@ std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPo
 // A facet, and two points on different sides of it.
 std::optional<Evidence> two_sides_evidence(const ExactMesh& mesh, const Witness& witness);
 
+// Where the facets of a hull end: d points of another facet, one beside them, and a point that is
+// in no listed facet.
+std::optional<Evidence> uncovered_hull_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                                const Witness& witness);
+
 // Two triangles, and the places of their vertices opposite the edge.
 std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness);
 

@@ -29,6 +29,16 @@ Summit summit_of(const PointSet& points) {
   }
 }
 
+// In the plane, vertices one a row are the ends of edges, each with the next.
+std::vector<Simplex> facets_of(const std::vector<Simplex>& rows) {
+  if (rows.front().size() != 1) return rows;
+  std::vector<Simplex> edges;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    edges.push_back({rows[i].front(), rows[(i + 1) % rows.size()].front()});
+  }
+  return edges;
+}
+
 bool are_all_vertices(const ExactMesh& mesh) {
   std::vector<bool> is_vertex(mesh.points.size());
   for (const Simplex& facet : mesh.simplices) {
@@ -54,15 +64,10 @@ std::vector<Integer> weights_of_cones(const ScaledPoints& points) {
 }  // namespace
 
 tl::expected<HullCertificate, std::string> hull_certificate_of(const ExactMesh& mesh) {
-  const std::size_t dimension = mesh.points.ambient_dimension();
-  if (mesh.simplices.front().size() != dimension) {
-    return tl::unexpected(std::string(
-        "expected the edges of the hull for a certificate, found its vertices in cyclic order"));
-  }
   Summit summit = summit_of(mesh.points);
   std::vector<Point> all = mesh.points.points();
   all.push_back(std::move(summit.place));
-  ExactMesh cones{PointSet(std::move(all)), mesh.simplices};
+  ExactMesh cones{PointSet(std::move(all)), facets_of(mesh.simplices)};
   for (Simplex& facet : cones.simplices) facet.push_back(static_cast<Vertex>(mesh.points.size()));
   auto points = scaled_to_integers(cones.points);
   if (!points) return tl::unexpected(points.error());

@@ -4,7 +4,8 @@
 #     proofs/filters/check.sh [--certificates|--bounds] [FOLDER-WITH-SCRIPTS [HEADER]]
 # With --certificates Coq checks Gappa's proofs (needs libcoq-gappa and libcoq-flocq). With --bounds
 # Gappa is asked for what it must not prove of orientations alone: of circles and spheres that takes
-# as long as the proofs.
+# as long as the proofs. Nor does it prove again what is in proved.sha256: the scripts about
+# spheres, as they were when they were proved.
 set -eu
 mode=${1:-}
 case $mode in
@@ -30,6 +31,10 @@ command -v gappa >/dev/null || { echo "filters: gappa not found: apt-get install
 # a warning.
 proved() {
   gappa -Eno-auto-dichotomy "$1" >"$work/log" 2>&1 && [ ! -s "$work/log" ]
+}
+
+pinned() {
+  (cd "$scripts" && grep " $1\$" proved.sha256 | sha256sum --check --status)
 }
 
 # Coq takes the certificate, and it rests on nothing but the axioms of the real numbers. The last
@@ -70,6 +75,10 @@ while read -r file constant; do
   [ -f "$script" ] || continue
   grep -q "| <= $constant\$" "$script" ||
     fault "$file: bounds $(sed -n 's/.*| <= //p' "$script") where the code says $constant"
+  case $file in
+    in_sphere*) pinned "$file" || fault "$file: not the one of proved.sha256: run check.sh without --bounds, then sha256sum" ;;
+  esac
+  case $mode$file in --boundsin_sphere*) echo "filters: $file: error at most $constant: proved before"; continue ;; esac
   if proved "$script"; then
     echo "filters: $file: error at most $constant: proved"
   else

@@ -1,7 +1,8 @@
 (** * What an accepted refutation of a convex hull says
 
     If points lie on both sides of a facet, one gets from a point inside of it nowhere out of their
-    hull: on either side there is a d-simplex, of the facet and such a point. *)
+    hull: on either side there is a d-simplex, of the facet and such a point.  And where no point is
+    beyond a facet of a d-simplex of them, this facet is in the boundary. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import HullRefutation Numbering.
 From Circumspect Require Import Definitions Domains Hulls Vectors Affine Frame Faces Orientation
@@ -119,13 +120,26 @@ Proof.
 Qed.
 End Sides.
 
+(** Where no point is beyond a facet of a d-simplex, one gets out of the hull from each of its
+    points, straight away from the vertex opposite. *)
+Lemma facet_on_boundary {d} (S : list (point d)) (u : frame d) q : conv S q -> bary u d q = 0 ->
+  (forall p, In p S -> 0 <= bary u d p) -> boundary (LinearCell d (fun _ => True) (conv S)) q.
+Proof.
+  intros C Z P. split; [exact C|]. exists (mix (vertex u d) q 2). split; [exact I|].
+  intros s Hs Cs. cbn [cell_points] in Cs.
+  assert (G : 0 <= bary u d (mix q (mix (vertex u d) q 2) s)).
+  { apply (affine_conv (bary u d) S); [now apply bary_affine|exact P|exact Cs]. }
+  rewrite !(affine_mix _ _ _ _ (bary_affine u d (le_n d))), Z, bary_own in G by lia. lra.
+Qed.
+
 Section Refuted.
 Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
 Hypothesis M : forall r, 0 < r -> measured orient pr r.
 Hypothesis some_d : (0 < d)%nat.
-Variables (m : refutation) (t p q : positive).
+Variables (m : refutation).
 Notation r := (refuted_unit m).
-Hypothesis accepted : refute_hull_in pr m t p q = true.
+Hypothesis U : 0 < r.
+Hypothesis Sh : Forall (well_shaped d) (sites m).
 Notation place := (@place_of d r).
 Notation PS := (@caller_points d r (sites m)).
 Notation LS := (@caller_rows d r (sites m) (rows m)).
@@ -135,14 +149,10 @@ Notation find_row := (find_id (rows m)).
 Lemma replaced_last (X : list site) a b : replace (length X) b (X ++ [a]) = X ++ [b].
 Proof. induction X as [|x X IH]; cbn; [reflexivity|]. now rewrite IH. Qed.
 
-Theorem facet_shown : facet_not_supporting PS LS /\ ~ claims_hull PS LS.
+Theorem facet_shown t p q : row_at (Table.of_list id (rows m)) t (parted_by pr m p q) = true ->
+  facet_not_supporting PS LS /\ ~ claims_hull PS LS.
 Proof.
-  pose proof accepted as A. unfold refute_hull_in in A. rewrite !andb_true_iff in A.
-  destruct A as [[[Pn Pd] Ss] A]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
-  assert (U : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
-  assert (Sh : Forall (well_shaped d) (sites m)).
-  { apply Forall_forall. intros s I. rewrite forallb_forall in Ss. specialize (Ss s I).
-    unfold shaped in Ss. apply Nat.eqb_eq in Ss. now rewrite (dimension_d (M r U)) in Ss. }
+  intros A.
   apply (row_at_in (M r U) (sites m) (rows m) _ _ Sh find_site find_row) in A.
   destruct A as (row & _ & Ir & A). unfold parted_by in A. apply andb_prop in A.
   destruct A as [Len A]. rewrite (dimension_d (M r U)) in Len. apply has_length_length in Len.
@@ -208,14 +218,105 @@ Proof.
     apply Nb, (facets_cover PS H B). exists (map place f). split; [|assumption].
     apply listed_in. rewrite <- EH. unfold listed. now rewrite <- E.
 Qed.
+
+Lemma simplex_framed X : incl X (sites m) -> length X = Datatypes.S d -> proper pr X = true ->
+  exists g : frame d, framed orient pr r X g.
+Proof. intros I. apply (proper_framed (M r U)). eapply incl_Forall; eassumption. Qed.
+
+(** A point that is in the hull of a row has no negative coordinate in a simplex that the row makes
+    with another point, and that at the other point is zero. *)
+Lemma off_points_off X q w f : incl X (sites m) -> incl f (sites m) -> length f = d ->
+  well_shaped d q -> (0 < w)%Z -> off_points pr X q w f = true ->
+  ~ conv (map place f) (place_over r q w).
+Proof.
+  intros IX If L Sq W H C. unfold off_points in H. apply existsb_exists in H.
+  destruct H as (x & Ix & H). apply andb_prop in H. destruct H as [Pr H].
+  destruct (simplex_framed (f ++ [x])) as (g & G).
+  { apply incl_app; [assumption|]. intros s [<-|[]]. now apply IX. }
+  { rewrite app_length, L. cbn. lia. }
+  { assumption. }
+  assert (V : forall v, In v (map place f) -> exists j, (j < d)%nat /\ v = vertex g j).
+  { intros v Iv. apply in_map_iff in Iv. destruct Iv as (s & <- & Is).
+    destruct (In_nth_error f s Is) as (j & Ej). exists j.
+    assert (Hj : (j < length f)%nat) by (apply nth_error_Some; congruence).
+    split; [lia|]. symmetry. apply (framed_vertex _ g G j s). now rewrite nth_error_app1. }
+  apply orb_prop in H. destruct H as [H|H].
+  - apply existsb_exists in H. destruct H as (i & Hi & H). unfold corners_numbered in Hi.
+    rewrite (dimension_d (M r U)) in Hi. apply in_seq_d in Hi.
+    apply (coordinate_negative (M r U) _ g G q w i Hi Sq W) in H.
+    enough (0 <= bary g i (place_over r q w)) by lra.
+    apply (affine_conv (bary g i) (map place f)); [now apply bary_affine| |assumption].
+    intros v Iv. destruct (V v Iv) as (j & Hj & ->). rewrite bary_vertex by lia.
+    destruct (Nat.eq_dec i j); lra.
+  - rewrite (dimension_d (M r U)) in H.
+    apply (coordinate_positive (M r U) _ g G q w d (le_n d) Sq W) in H.
+    enough (0 <= - bary g d (place_over r q w)) by lra.
+    apply (affine_conv (fun p => - bary g d p) (map place f));
+      [now apply affine_opp, bary_affine| |assumption].
+    intros v Iv. destruct (V v Iv) as (j & Hj & ->). rewrite bary_other by lia. lra.
+Qed.
+
+Theorem uncovered_shown X q w : incl X (sites m) -> in_no_facet pr m X q w = true ->
+  hull_uncovered PS LS /\ ~ claims_hull PS LS.
+Proof.
+  intros IX A. unfold in_no_facet in A. rewrite !andb_true_iff in A.
+  destruct A as [[[[[[Len Pr] Wr] In_] Zero] Sup] Rows].
+  unfold right_length in Len. rewrite (dimension_d (M r U)) in Len, Zero, Sup.
+  apply has_length_length in Len. destruct (written (M r U) q w Wr) as [Sq W].
+  destruct (simplex_framed X IX Len Pr) as (g & G).
+  destruct (in_simplex_conv (M r U) X g G q w Sq W In_) as [_ C].
+  assert (Out : hull_uncovered PS LS).
+  { exists (place_over r q w). split.
+    - apply (facet_on_boundary PS g).
+      + apply (conv_incl (map place X)); [now apply incl_map|assumption].
+      + apply Z.eqb_eq in Zero.
+        pose proof (coordinate_sign_bary (M r U) X g G q w d (le_n d) Sq W) as E.
+        rewrite Zero in E. symmetry in E. apply Rmult_integral in E. destruct E as [E|E]; [|assumption].
+        pose proof (square_positive X g G). apply IZR_lt in W. nra.
+      + intros p Ip. apply in_map_iff in Ip. destruct Ip as (s & <- & Is).
+        rewrite forallb_forall in Sup. rewrite <- place_over_one.
+        apply (coordinate_nonnegative (M r U) X g G s 1 d (le_n d)); [|reflexivity|now apply Sup].
+        rewrite Forall_forall in Sh. now apply Sh.
+    - intros f Lf. unfold listed, caller_rows in Lf. apply in_map_iff in Lf.
+      destruct Lf as (row & E & Ir). rewrite forallb_forall in Rows. specialize (Rows row Ir).
+      unfold off_row in Rows. apply andb_prop in Rows. destruct Rows as [Lr Off].
+      rewrite (dimension_d (M r U)) in Lr. apply has_length_length in Lr.
+      destruct (all_named _ row) as [Y|] eqn:Ey; [|discriminate].
+      apply (all_named_rows (M r U) (sites m) (rows m) _ (Table.of_list id (rows m))
+        Sh find_site find_row) in Ey. destruct Ey as [Ey Iy].
+      assert (f = map place Y) as ->.
+      { apply (f_equal (map (fun o => match o with Some v => v | None => origin end))) in E.
+        rewrite Ey, !map_map in E. rewrite map_id in E. symmetry. exact E. }
+      apply (off_points_off X q w Y); try assumption.
+      apply (f_equal (@length _)) in Ey. rewrite !map_length in Ey. congruence. }
+  split; [assumption|]. destruct Out as (v & B & N). intros (H & EH & Hull).
+  apply (facets_cover PS H Hull) in B. destruct B as (f & If & Cf). apply (N f); [|assumption].
+  unfold listed. rewrite EH. now apply in_map.
+Qed.
+
+Theorem hull_shown e : shown_of_hull pr m e = true ->
+  broken_of_hull e PS LS /\ ~ claims_hull PS LS.
+Proof.
+  destruct e as [t p q|X q w]; cbn [shown_of_hull broken_of_hull]; [apply facet_shown|].
+  intros A. destruct (all_named _ (map Some X)) as [Y|] eqn:E; [|discriminate].
+  apply (all_named_rows (M r U) (sites m) (rows m) _ (Table.of_list id (rows m))
+    Sh find_site find_row) in E. now apply (uncovered_shown Y q w).
+Qed.
 End Refuted.
 
 (** Whatever is accepted: the claim is false, because the rule is broken. *)
 Theorem refute_hull_rule D x : refute_hull D x = true ->
-  facet_not_supporting (refuted_points D (hull_mesh x)) (refuted_simplices D (hull_mesh x)) /\
+  broken_of_hull (hull_because x) (refuted_points D (hull_mesh x))
+    (refuted_simplices D (hull_mesh x)) /\
   ~ claims_hull (refuted_points D (hull_mesh x)) (refuted_simplices D (hull_mesh x)).
 Proof.
-  intros A. destruct D.
-  - exact (facet_shown measured_plane ltac:(cbn; lia) _ _ _ _ A).
-  - exact (facet_shown measured_space ltac:(cbn; lia) _ _ _ _ A).
+  intros A. unfold refute_hull, refute_hull_in in A. rewrite !andb_true_iff in A.
+  destruct A as [[[Pn Pd] Ss] A]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
+  assert (U : 0 < refuted_unit (hull_mesh x)) by now apply Rdiv_lt_0_compat.
+  assert (Sh : Forall (well_shaped (dimension_of D)) (sites (hull_mesh x))).
+  { apply Forall_forall. intros s I. rewrite forallb_forall in Ss. specialize (Ss s I).
+    unfold shaped in Ss. apply Nat.eqb_eq in Ss. now destruct D. }
+  destruct D.
+  - exact (hull_shown measured_plane ltac:(cbn; lia) _ U Sh _ A).
+  - exact (hull_shown measured_space ltac:(cbn; lia) _ U Sh _ A).
 Qed.

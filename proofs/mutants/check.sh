@@ -215,6 +215,22 @@ sed 's/^0 7 7 7 0 0 1 0/0 7 7 7 0 0 1 1/' periodic.ele >offset.ele
 domain "rejected: another mesh, offset.ele:2: found another attribute 4 of simplex 1" periodic.node offset.ele
 printf '2 3\n0 7 7 7\n1 7 7 7\n' >offset.ele
 domain "rejected: another mesh, offset.ele:2: expected 6 attributes of simplex 1, found 0" periodic.node offset.ele
+# The hull of points in the plane may be listed as its vertices, each the first of an edge to the
+# next. The edges of a mesh may not.
+certificate=convex-hull--plane.cert
+printf '6 2 0\n0 0 0\n1 6 0\n2 6 6\n3 0 6\n4 4 1\n5 3 0\n' >hull.node
+printf '4 2\n0 0 1\n1 2 1\n2 2 3\n3 3 0\n' >hull.ele
+printf '4 1\n0 0\n1 1\n2 2\n3 3\n' >cycle.ele
+domain "verified: convex-hull, 6 points, 4 edges: hull.node hull.ele" hull.node hull.ele
+domain "verified: convex-hull, 6 points, 4 edges: hull.node cycle.ele" hull.node cycle.ele
+printf '4 1\n0 0\n1 2\n2 1\n3 3\n' >star.ele
+domain "rejected: another mesh, star.ele:5: found another simplex 1" hull.node star.ele
+printf '3 1\n0 0\n1 1\n2 2\n' >path.ele
+domain "rejected: another mesh, path.ele:4: found another simplex 3" hull.node path.ele
+certificate=line--plane.cert
+printf '2 2 0\n0 0 5/2\n1 1 5/2\n' >edge.node
+printf '2 1\n0 0\n1 1\n' >ends.ele
+domain "rejected: another mesh, ends.ele:2: found another simplex 1" edge.node ends.ele
 certificate=triangle
 domain "rejected: another domain, plane.poly: the certificate is about none" own.node own.ele plane.poly
 certificate=sound--domain-in-space.cert

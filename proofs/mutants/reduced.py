@@ -109,3 +109,32 @@ def hull_refutations():
             ("not-shown--no-point", square, [[1, 3]], [1, 2, 5], not_shown),
             ("not-shown--no-facet", square, [[1, 3]], [2, 2, 4], not_shown)):
         yield f"{rule}--{name}", refuted(points, rows, because, claim, rule), answer
+    yield from uncovered_hulls()
+
+
+def uncovered_hulls():
+    """Three edges of a square, and all faces of a cube but one half of the upper face."""
+    claim, rule = "convex-hull", "hull.uncovered"
+    shown, not_shown = f"verified: not {claim}, {rule}", f"rejected: the evidence does not show {rule}"
+    square, three = [(0, 0), (4, 0), (4, 4), (0, 4)], [[1, 2], [2, 3], [3, 4]]
+    inner, cube = [*square, (1, 1)], [(x, y, z) for z in (0, 2) for y in (0, 2) for x in (0, 2)]
+    sides = [[1, 2, 4], [1, 3, 4], [1, 2, 5], [2, 5, 6], [3, 4, 8], [3, 7, 8], [1, 3, 5], [3, 5, 7], [2, 4, 6], [4, 6, 8]]
+    for name, points, rows, because, answer in (
+            ("shown", square, three, [4, 1, 2, 0, 1, 1], shown),
+            ("shown--of-no-facets", square, [], [4, 1, 2, 0, 1, 1], shown),
+            ("shown--at-a-facet", square, three, [4, 1, 2, 0, 99, 25], shown),
+            ("shown--in-space", cube, [*sides, [5, 6, 8]], [5, 7, 8, 1, 2, 5, 6, 3], shown),
+            ("not-shown--in-a-facet", cube, [*sides, [5, 6, 8]], [5, 6, 8, 1, 5, 2, 6, 3], not_shown),
+            ("not-shown--at-the-end-of-a-facet", cube, [*sides, [5, 6, 8]], [5, 7, 8, 1, 1, 1, 2, 1], not_shown),
+            ("not-shown--covered", square, [*three, [4, 1]], [4, 1, 2, 0, 1, 1], not_shown),
+            ("not-shown--an-end", square, three, [4, 1, 2, 0, 4, 1], not_shown),
+            ("not-shown--points-beyond", square, three, [1, 3, 2, 2, 2, 1], not_shown),
+            ("not-shown--inside", square, three, [4, 1, 2, 1, 1, 1], not_shown),
+            ("not-shown--beside", square, three, [4, 1, 2, 0, -1, 1], not_shown),
+            ("not-shown--no-denominator", square, three, [4, 1, 2, 0, 1, 0], not_shown),
+            ("not-shown--on-a-line", [*square, (0, 2)], three, [4, 1, 5, 0, 1, 1], not_shown),
+            ("not-shown--flat", inner, [*three, [1, 1]], [4, 1, 2, 0, 1, 1], not_shown),
+            ("not-shown--a-vertex", square, [*three, [3]], [4, 1, 2, 0, 1, 1], not_shown),
+            ("not-shown--unknown", square, [*three, [3, 7]], [4, 1, 2, 0, 1, 1], not_shown),
+            ("not-shown--no-point", square, three, [4, 1, 9, 0, 1, 1], not_shown)):
+        yield f"{rule}--{name}", refuted(points, rows, because, claim, rule), answer

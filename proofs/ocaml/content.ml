@@ -95,7 +95,7 @@ let certificate (c : Reading.context) space claimed standing =
     { Users_mesh.unit = (frame.numerator, frame.denominator); d;
       weighted; labels = Array.of_list labels; ordered = false;
       sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
-      simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None }) in
+      simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None; cyclic = false }) in
   let verdict () =
     let asked = Option.map (fun word -> fst (List.assoc word standings)) standing in
     match judge space packed asked (Certificate_file.digits_left_out frame) with
@@ -116,7 +116,7 @@ let hull (c : Reading.context) space cones =
   let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d; weighted = false;
                     labels = Array.of_list labels; ordered = false;
                     sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
-                    simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None } in
+                    simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None; cyclic = c.d = 2 } in
   let verdict () = match judge_hull space packed summit around (Certificate_file.digits_left_out frame) with
     | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | NotSettled _ -> assert false
@@ -135,7 +135,7 @@ let flat (c : Reading.context) name seen =
   let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = 3; weighted = false;
                     labels = Array.of_list labels; ordered = false;
                     sites = Array.map2 site (Array.of_list frame.points) (Array.of_list unseen.unseen);
-                    simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None } in
+                    simplices = { count = packed.simplex_count; vertices; attributes = None }; dangling = None; cyclic = false } in
   let verdict () = match judge_flat packed unseen (Certificate_file.digits_left_out frame) with
     | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | NotSettled _ -> assert false
@@ -150,7 +150,7 @@ let line (c : Reading.context) space name =
   let vertices k = List.map Option.some rows.(k) in
   let mesh = lazy { Users_mesh.unit = (certificate.line_numerator, certificate.line_denominator); d = c.d; weighted = false;
                     labels = Array.of_list labels; ordered = false; sites = Array.of_list certificate.line_sites;
-                    simplices = { count = Array.length rows; vertices; attributes = None }; dangling = None } in
+                    simplices = { count = Array.length rows; vertices; attributes = None }; dangling = None; cyclic = false } in
   let verdict () = match check_line space certificate with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
@@ -169,7 +169,7 @@ let mesh_alone (c : Reading.context) space =
   let mesh = { Users_mesh.unit = (certificate.complex_numerator, certificate.complex_denominator); d = c.d;
                weighted = false; labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.complex_points));
-               simplices = { count = Array.length cells; vertices; attributes = None }; dangling = None } in
+               simplices = { count = Array.length cells; vertices; attributes = None }; dangling = None; cyclic = false } in
   let one, several = match width with
     | 1 -> ("point", "points") | 2 -> ("edge", "edges") | 3 -> ("triangle", "triangles")
     | _ -> ("tetrahedron", "tetrahedra") in
@@ -188,7 +188,7 @@ let surface (c : Reading.context) space =
   let mesh = { Users_mesh.unit = (certificate.surface_numerator, certificate.surface_denominator); d = c.d;
                weighted = false; labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.surface_points));
-               simplices = { count = Array.length triangles; vertices; attributes = None }; dangling = None } in
+               simplices = { count = Array.length triangles; vertices; attributes = None }; dangling = None; cyclic = false } in
   let verdict () = match check_surface space certificate with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
@@ -272,7 +272,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex ~dangles =
   let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
-               simplices = Users_mesh.listed simplices; dangling = Some [] } in
+               simplices = Users_mesh.listed simplices; dangling = Some []; cyclic = false } in
   let check = if dangles then check_dangling else check_domain in
   let checked () = match check space certificate, complex with
     | Accepted, Some complex -> check_complex space certificate complex
@@ -283,7 +283,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex ~dangles =
       (Printf.sprintf "verified: %s, %s; %s%s" (domain_claim_name claimed)
          (counts c.d (Users_mesh.users_points mesh) (List.length simplices))
          (how_many_dangle (Lazy.force dangling)) (described certificate ~is_complex), 0) in
-  { mesh = lazy { mesh with dangling = Some (Lazy.force dangling) };
+  { mesh = lazy { mesh with dangling = Some (Lazy.force dangling); cyclic = false };
     compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 (* The points of a domain that is given without a mesh: its vertices. *)
@@ -292,7 +292,7 @@ let vertices_of d (about : domain_certificate) =
   let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
   { Users_mesh.unit = (whole.numerator, whole.denominator); d; weighted = false;
     labels = Array.init (Array.length sites) (fun k -> Some (Big.of_int k)); ordered = false; sites;
-    simplices = Users_mesh.listed []; dangling = None }
+    simplices = Users_mesh.listed []; dangling = None; cyclic = false }
 
 let impossibility (c : Reading.context) claimed kind =
   let impossibility = Impossibility_file.read c claimed kind in
@@ -309,7 +309,7 @@ let refutation (c : Reading.context) space claimed rule =
   let mesh = { Users_mesh.unit = (refutation.unit_numerator, refutation.unit_denominator); d = c.d;
                weighted = c.weighted; labels = Array.of_list labels; ordered = true;
                sites = Array.of_list refutation.sites;
-               simplices = Users_mesh.listed refutation.rows; dangling = None } in
+               simplices = Users_mesh.listed refutation.rows; dangling = None; cyclic = false } in
   let verdict () =
     let rule = rule_name (rule_of refutation.because) in
     if refute space refutation then
@@ -321,7 +321,7 @@ let refutation (c : Reading.context) space claimed rule =
 let refutation_of_mesh d labels (about : refutation) name rule is_accepted =
   let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
-               simplices = Users_mesh.listed about.rows; dangling = None } in
+               simplices = Users_mesh.listed about.rows; dangling = None; cyclic = false } in
   let verdict () =
     if is_accepted () then (Printf.sprintf "verified: not %s, %s" name rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
@@ -332,10 +332,10 @@ let flat_refutation (c : Reading.context) space claimed rule =
   refutation_of_mesh c.d labels refutation.flat_mesh (claim_name claimed)
     (rule_name (rule_of refutation.flat_mesh.because)) (fun () -> refute_flat space refutation)
 
-let hull_rule = "hull.facet-not-supporting"
-let hull_refutation (c : Reading.context) space =
-  let refutation, labels = Refutation_file.read_hull c in
-  refutation_of_mesh c.d labels refutation.hull_mesh convex_hull hull_rule (fun () -> refute_hull space refutation)
+let hull_refutation (c : Reading.context) space rule =
+  let refutation, labels = Refutation_file.read_hull c rule in
+  refutation_of_mesh c.d labels refutation.hull_mesh convex_hull (hull_rule_name refutation.hull_because)
+    (fun () -> refute_hull space refutation)
 
 let surface_rule = "surface.edge-not-delaunay"
 let surface_refutation (c : Reading.context) space =
@@ -355,7 +355,7 @@ let domain_refutation (c : Reading.context) space claimed rule =
   let about = refutation.mesh_refuted in
   let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
-               simplices = Users_mesh.listed about.rows; dangling = Some (own_rows refutation.dangling_refuted) } in
+               simplices = Users_mesh.listed about.rows; dangling = Some (own_rows refutation.dangling_refuted); cyclic = false } in
   let verdict () =
     let rule = domain_rule_name (domain_rule_of refutation) in
     if refute_domain space refutation then
@@ -371,7 +371,7 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   let against = refutation.mesh_against and about = refutation.about_domain in
   let mesh = { Users_mesh.unit = (against.unit_numerator, against.unit_denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list against.sites;
-               simplices = Users_mesh.listed against.rows; dangling = Some (own_rows refutation.dangling_against) } in
+               simplices = Users_mesh.listed against.rows; dangling = Some (own_rows refutation.dangling_against); cyclic = false } in
   let verdict () =
     let rule = domain_rule_name (whole_rule_of refutation) in
     if refute_whole space refutation then
@@ -423,9 +423,9 @@ let read source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
     alone_refutation c space rule
-  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = convex_hull && rule = hull_rule ->
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = convex_hull ->
     let c, (), space = context source [ (convex_hull, ()) ] claim dimension in
-    hull_refutation c space
+    hull_refutation c space rule
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when claim = surface_delaunay && rule = surface_rule ->
     let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
     surface_refutation c space

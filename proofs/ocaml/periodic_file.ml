@@ -106,4 +106,4 @@ let users_mesh d labels m =
   let offsets k = List.concat_map (fun corner -> corner.corner_offset) cells.(k) in
   { Users_mesh.unit = (m.periodic_numerator, m.periodic_denominator); d; weighted = false;
     labels = Array.of_list labels; ordered = true; sites = Array.of_list m.periodic_sites;
-    simplices = { count = Array.length cells; vertices; attributes = Some offsets }; dangling = None }
+    simplices = { count = Array.length cells; vertices; attributes = Some offsets }; dangling = None; cyclic = false }

@@ -160,16 +160,23 @@ let read_flat c refuted rule =
   ending c;
   ({ flat_mesh = { mesh with basis; because }; flat_pads; ball_own; ball_other }, labels)
 
-(* The same of a convex hull: a facet and two points. *)
-let read_hull c =
+(* The same of a convex hull: a facet and two points; or points that make a simplex, and a point of a facet of it. *)
+let read_hull c rule =
   let hull_mesh, labels = points_and_simplices c Triangulation in
-  let expected, tokens = line c "because" "T P Q" in
-  match take c number 3 expected tokens with
-  | [ hull_facet; one_beyond; other_beyond ], rest ->
-    no_more c expected rest;
-    ending c;
-    ({ hull_mesh; hull_facet; one_beyond; other_beyond }, labels)
-  | _ -> assert false
+  let expected, tokens = line c "because" "EVIDENCE" in
+  let hull_because, rest = match rule with
+    | "hull.facet-not-supporting" ->
+      let numbers, rest = take c number 3 expected tokens in
+      (OnBothSides (List.nth numbers 0, List.nth numbers 1, List.nth numbers 2), rest)
+    | "hull.uncovered" ->
+      let corners, rest = take c number (c.d + 1) expected tokens in
+      let q, rest = site c expected false rest in
+      let w, rest = take c integer 1 expected rest in
+      (InNoFacet (corners, q, List.hd w), rest)
+    | _ -> Text.fail c.source "a rule of CERTIFICATE.md for convex hulls" (Text.quote rule) in
+  no_more c expected rest;
+  ending c;
+  ({ hull_mesh; hull_because }, labels)
 
 (* The same of a surface: two triangles and their vertices opposite the edge. *)
 let read_surface c =

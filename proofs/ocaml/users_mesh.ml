@@ -24,6 +24,7 @@ type mesh = {
   simplices : simplices;
   ordered : bool;                    (* are the vertices of a simplex in the user's order? *)
   dangling : int option list list option;  (* of a domain's mesh: all that is listed and is a face of no simplex *)
+  cyclic : bool;                     (* may edges be listed as vertices, each the first of an edge whose second is the next? *)
 }
 
 let users_points mesh =
@@ -111,6 +112,16 @@ let compare_simplices ~exactly mesh number_of source =
   let points = Array.length mesh.sites in
   let may_dangle = width <= mesh.d && mesh.dangling <> None && mesh.simplices.count = 0 in
   let short = ref [] and k = ref 0 in
+  let compare_row found =
+    if !k >= mesh.simplices.count then differs source "found more simplices than %d" !k;
+    let expected = Array.of_list (List.map (function
+        | Some n when n >= 1 && n <= points -> n - 1
+        | _ -> -1) (mesh.simplices.vertices !k)) in
+    if not mesh.ordered then (sort_entries found; sort_entries expected);
+    if not (same_entries found expected) then differs source "found another simplex %d" (!k + 1);
+    incr k in
+  let is_cycle = mesh.cyclic && width = 1 in
+  let cycle = ref [] in
   rows source "simplex" header.(0) (fun _ ->
       let found = Array.make (min width (String.length source.Text.text)) (-1) in
       for i = 0 to width - 1 do
@@ -119,16 +130,11 @@ let compare_simplices ~exactly mesh number_of source =
       done;
       compare_attributes ~exactly mesh !k source header.(2);
       if may_dangle then short := (Array.to_list found, source.Text.line) :: !short
-      else begin
-        if !k >= mesh.simplices.count then differs source "found more simplices than %d" !k;
-        let expected = Array.of_list (List.map (function
-            | Some n when n >= 1 && n <= points -> n - 1
-            | _ -> -1) (mesh.simplices.vertices !k)) in
-        if not mesh.ordered then (sort_entries found; sort_entries expected);
-        if not (same_entries found expected) then differs source "found another simplex %d" (!k + 1);
-        incr k
-      end);
+      else if is_cycle then cycle := found.(0) :: !cycle
+      else compare_row found);
   end_of_file source;
+  let cycle = Array.of_list (List.rev !cycle) in
+  Array.iteri (fun i v -> compare_row [| v; cycle.((i + 1) mod Array.length cycle) |]) cycle;
   if !k < mesh.simplices.count then
     differs source "expected %d simplices, found %d" mesh.simplices.count header.(0);
   List.rev !short
