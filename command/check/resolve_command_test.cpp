@@ -97,6 +97,21 @@ TEST_CASE("check --domain: polygons as rings, with holes and without hole seeds"
   CHECK(has(run({"inspect", ring}).out, "8 vertices 8 segments"));
 }
 
+TEST_CASE("check --domain: rings that are no holes are named") {
+  const ScratchFolder folder;
+  const auto noted = [&](const std::string& rings) {
+    const std::string text = "POLYGON ((0 0, 9 0, 9 9, 0 9), (1 1, 5 1, 5 5, 1 5)" + rings + ")\n";
+    return run({"inspect", "--domain", folder.write("d.wkt", text)}).out;
+  };
+  CHECK(!has(noted(""), "no hole"));
+  CHECK(has(noted(", (2 2, 3 2, 3 3)"),
+            "d.wkt: ring 3 of polygon 1, which has vertex 8, lies in the hole of ring 2: no hole, "
+            "but an island that is filled\n"));
+  CHECK(has(noted(", (10 1, 11 1, 11 2), (2 2, 3 2, 3 3)"),
+            "d.wkt: ring 3 of polygon 1, which has vertex 8, lies outside of ring 1: no hole, but "
+            "a part that is filled (and 1 more)\n"));
+}
+
 TEST_CASE("check --resolve: rings that cross cover what an odd number of them enclose") {
   const ScratchFolder folder;
   const std::string tie = folder.write("tie.json", "[[0, 0], [2, 2], [2, 0], [0, 2]]\n");

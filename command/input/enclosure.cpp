@@ -254,6 +254,21 @@ void note_dangling(const Regions& regions, const Domain& domain, bool is_said, C
   }
 }
 
+// Formats that know rings want them to be holes; what they are instead is said.
+void note_rings(const Domain& domain, const formats::DomainFile& file, const Regions& regions,
+                std::vector<std::string>& notes) {
+  const auto odd = rings_that_are_no_holes(file.faces, regions);
+  if (odd.empty()) return;
+  const auto& [face, ring, in_hole] = odd.front();
+  const std::string words = fmt::format(
+      "ring {} of polygon {}, which has vertex {}, lies {}: no hole, but {} that is filled",
+      ring + 1, face + 1, domain.label(file.faces[face].lines[ring].front()),
+      in_hole ? fmt::format("in the hole of ring {}", *in_hole + 1) : "outside of ring 1",
+      in_hole ? "an island" : "a part");
+  const std::string more = odd.size() == 1 ? "" : fmt::format(" (and {} more)", odd.size() - 1);
+  notes.push_back(words + more);
+}
+
 // Something is enclosed, or the user says that nothing needs to be.
 tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
                                                     const formats::DomainFile& file,
@@ -269,6 +284,7 @@ tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
   } else if (!asked.fill && !file.faces.empty()) {
     seeds = file.faces_are_rings ? points_without_rings(file.faces, regions)
                                  : points_without_face(file.faces, regions, domain.complex.points);
+    if (file.faces_are_rings) note_rings(domain, file, regions, chosen.notes);
     chosen.is_by_faces = !seeds->empty();
     if (chosen.is_by_faces && !file.faces_are_rings) {  // of rings that is what they are for
       chosen.notes.push_back(fmt::format(

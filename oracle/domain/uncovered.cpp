@@ -1,6 +1,9 @@
 #include "oracle/domain/uncovered.hpp"
 
+#include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "kernel/complex/simplex.hpp"
 #include "oracle/domain/filling.hpp"
@@ -107,19 +110,59 @@ void toggle(std::set<Value>& values, const Value& value) {
   if (!values.insert(value).second) values.erase(value);
 }
 
-// For each wall, the faces whose rings pass it an odd number of times.
-std::vector<std::set<std::size_t>> faces_at_walls(const std::vector<PolygonLines>& faces,
-                                                  const Regions& regions) {
-  std::vector<std::set<std::size_t>> found(regions.walls().size());
+using OfFace = std::pair<std::size_t, std::size_t>;  // a face and one of its rings
+
+// For each wall, the rings that pass it an odd number of times.
+std::vector<std::set<OfFace>> rings_at_walls(const std::vector<PolygonLines>& faces,
+                                             const Regions& regions) {
+  std::vector<std::set<OfFace>> found(regions.walls().size());
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    for (const auto& ring : faces[face].lines) {
+    const auto& rings = faces[face].lines;
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      const auto& ring = rings[r];
       for (std::size_t i = 0; ring.size() > 1 && i < ring.size(); ++i) {
         const Simplex edge = sorted({ring[i], ring[(i + 1) % ring.size()]});
-        toggle(found[regions.walls().place_of(edge)], face);
+        toggle(found[regions.walls().place_of(edge)], OfFace(face, r));
       }
     }
   }
   return found;
+}
+
+// The rings that enclose each region. Going through a wall leads out of the rings that have it and
+// into the others that do.
+std::vector<std::set<OfFace>> rings_around_regions(const std::vector<PolygonLines>& faces,
+                                                   const Regions& regions) {
+  const auto rings_at = rings_at_walls(faces, regions);
+  std::vector<std::vector<std::size_t>> walls_of(regions.size());
+  for (std::size_t wall = 0; wall < regions.walls().size(); ++wall) {
+    for (const std::size_t region : regions.beside(wall)) walls_of[region].push_back(wall);
+  }
+  std::vector<std::set<OfFace>> around(regions.size());
+  std::vector<bool> is_reached(regions.size(), false);
+  std::vector<std::size_t> open = {Regions::kUnbounded};
+  is_reached[Regions::kUnbounded] = true;
+  while (!open.empty()) {
+    const std::size_t region = open.back();
+    open.pop_back();
+    for (const std::size_t wall : walls_of[region]) {
+      for (const std::size_t next : regions.beside(wall)) {
+        if (is_reached[next]) continue;
+        is_reached[next] = true;
+        around[next] = around[region];
+        for (const OfFace& ring : rings_at[wall]) toggle(around[next], ring);
+        open.push_back(next);
+      }
+    }
+  }
+  return around;
+}
+
+// Is there a face of which an odd number of rings are among these?
+bool are_odd_of_one(const std::set<OfFace>& rings) {
+  std::set<std::size_t> odd;
+  for (const auto& [face, ring] : rings) toggle(odd, face);
+  return !odd.empty();
 }
 
 }  // namespace
@@ -132,34 +175,45 @@ std::vector<Point> points_without_face(const std::vector<PolygonLines>& faces,
   return points_of_others(covered, regions);
 }
 
-// Going through a wall leads out of the faces that have it on a ring and into the others that do.
 std::vector<Point> points_without_rings(const std::vector<PolygonLines>& faces,
                                         const Regions& regions) {
-  const auto faces_at = faces_at_walls(faces, regions);
-  std::vector<std::vector<std::size_t>> walls_of(regions.size());
-  for (std::size_t wall = 0; wall < regions.walls().size(); ++wall) {
-    for (const std::size_t region : regions.beside(wall)) walls_of[region].push_back(wall);
-  }
-  std::vector<std::set<std::size_t>> faces_of(regions.size());
-  std::vector<bool> is_reached(regions.size(), false);
-  std::vector<std::size_t> open = {Regions::kUnbounded};
-  is_reached[Regions::kUnbounded] = true;
+  const auto around = rings_around_regions(faces, regions);
   std::set<std::size_t> covered = {Regions::kUnbounded};
-  while (!open.empty()) {
-    const std::size_t region = open.back();
-    open.pop_back();
-    if (!faces_of[region].empty()) covered.insert(region);
-    for (const std::size_t wall : walls_of[region]) {
-      for (const std::size_t next : regions.beside(wall)) {
-        if (is_reached[next]) continue;
-        is_reached[next] = true;
-        faces_of[next] = faces_of[region];
-        for (const std::size_t face : faces_at[wall]) toggle(faces_of[next], face);
-        open.push_back(next);
-      }
-    }
+  for (std::size_t region = 0; region < regions.size(); ++region) {
+    if (are_odd_of_one(around[region])) covered.insert(region);
   }
   return points_of_others(covered, regions);
+}
+
+std::vector<RingThatIsNoHole> rings_that_are_no_holes(const std::vector<PolygonLines>& faces,
+                                                      const Regions& regions) {
+  const auto around = rings_around_regions(faces, regions);
+  std::map<OfFace, std::set<std::size_t>> inside;
+  for (std::size_t region = 0; region < regions.size(); ++region) {
+    for (const OfFace& ring : around[region]) inside[ring].insert(region);
+  }
+  const auto has_all = [&](const OfFace& ring, const std::set<std::size_t>& regions_of_other) {
+    const auto& own = inside[ring];
+    return std::includes(own.begin(), own.end(), regions_of_other.begin(), regions_of_other.end());
+  };
+  std::vector<RingThatIsNoHole> found;
+  for (const auto& [ring, enclosed] : inside) {
+    const auto [face, place] = ring;
+    if (place == 0) continue;
+    if (!has_all({face, 0}, enclosed)) {
+      found.push_back({face, place, std::nullopt});
+      continue;
+    }
+    for (const OfFace& other : around[*enclosed.begin()]) {
+      const bool is_hole = other.first == face && other.second != 0 && other != ring;
+      // Of two that enclose the same, the later one is in the earlier.
+      const bool is_same = is_hole && inside[other] == enclosed;
+      if (!is_hole || !has_all(other, enclosed) || (is_same && other > ring)) continue;
+      found.push_back({face, place, other.second});
+      break;
+    }
+  }
+  return found;
 }
 
 }  // namespace circumspect

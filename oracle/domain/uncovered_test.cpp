@@ -34,17 +34,25 @@ struct Squares {
     }
   }
 
+  // For each ring that is no hole, the face, the ring, and the hole that it lies in.
+  std::string no_holes(const std::vector<std::vector<std::size_t>>& faces) const {
+    const auto complex = validated(input);
+    REQUIRE(complex);
+    std::string text;
+    for (const auto& [face, ring, in_hole] :
+         rings_that_are_no_holes(of_squares(faces), Regions(*complex))) {
+      text += std::to_string(face) + std::to_string(ring) +
+              (in_hole ? std::to_string(*in_hole) : std::string("-")) + " ";
+    }
+    return text;
+  }
+
   // Whether the regions from the inmost outwards, and then that beside them, are covered.
   std::string covered(const std::vector<std::vector<std::size_t>>& faces) const {
     auto complex = validated(input);
     REQUIRE(complex);
-    std::vector<PolygonLines> of_rings;
-    for (const auto& face : faces) {
-      PolygonLines& lines = of_rings.emplace_back();
-      for (const std::size_t ring : face) lines.lines.push_back(rings[ring]);
-    }
     const Regions regions(*complex);
-    complex->hole_seeds = points_without_rings(of_rings, regions);
+    complex->hole_seeds = points_without_rings(of_squares(faces), regions);
     const Regions filled(*complex);
     std::string text;
     for (const Rational& x :
@@ -52,6 +60,15 @@ struct Squares {
       text += filled.locate({x, 0}) == Where::kInside ? '+' : '-';
     }
     return text;
+  }
+
+  std::vector<PolygonLines> of_squares(const std::vector<std::vector<std::size_t>>& faces) const {
+    std::vector<PolygonLines> of_rings;
+    for (const auto& face : faces) {
+      PolygonLines& lines = of_rings.emplace_back();
+      for (const std::size_t ring : face) lines.lines.push_back(rings[ring]);
+    }
+    return of_rings;
   }
 };
 
@@ -73,6 +90,16 @@ TEST_CASE("rings: faces do not empty one another") {
   // A ring that is there twice encloses nothing.
   CHECK(squares.covered({{0, 0, 1}}) == "+++--");
   CHECK(squares.covered({}) == "-----");
+}
+
+TEST_CASE("rings: those that are no holes of the first are found") {
+  const Squares squares;
+  CHECK(squares.no_holes({{0, 1}, {2}, {4}}).empty());
+  CHECK(squares.no_holes({{0, 1, 2}}) == "021 ");
+  CHECK(squares.no_holes({{0, 2, 1, 3}}) == "012 031 ");  // in either order
+  CHECK(squares.no_holes({{4}, {0, 4}}) == "11- ");
+  CHECK(squares.no_holes({{1, 0}}) == "01- ");  // the first is in the second
+  CHECK(squares.no_holes({{0, 1, 1}}) == "021 ");
 }
 
 }  // namespace circumspect

@@ -75,4 +75,20 @@ Mesh with_simplices(const Mesh& mesh, IndexLists simplices) {
   return other;
 }
 
+std::vector<Vertex> unused_points(const Mesh& mesh, std::size_t most) {
+  std::vector<bool> is_used(mesh.points(), false);
+  mesh.simplices.visit([&]<class Lists>(const Lists& lists) {
+    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
+      for (const auto v : lists.values()) {
+        if (mesh.names(v)) is_used[static_cast<std::size_t>(v)] = true;
+      }
+    }
+  });
+  std::vector<Vertex> unused;
+  for (std::size_t v = 0; v < is_used.size() && unused.size() <= most; ++v) {
+    if (!is_used[v]) unused.push_back(static_cast<Vertex>(v));
+  }
+  return unused;
+}
+
 }  // namespace circumspect::check

@@ -60,4 +60,7 @@ class Case {
 // the mesh outlives it.
 Mesh with_simplices(const Mesh& mesh, IndexLists simplices);
 
+// The first points, ascending, that no simplex has: at most one more than `most`.
+std::vector<Vertex> unused_points(const Mesh& mesh, std::size_t most);
+
 }  // namespace circumspect::check

@@ -14,6 +14,7 @@
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
+#include "oracle/judge/cause/surface_edges.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::check {
@@ -181,22 +182,6 @@ class Holes {
   std::vector<Corners> pairs_ = {};  // the corners of two facets that are joined, ascending
 };
 
-std::vector<Vertex> unused_points(const Mesh& mesh) {
-  std::vector<bool> is_used(mesh.points(), false);
-  mesh.simplices.visit([&]<class Lists>(const Lists& lists) {
-    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
-      for (const auto v : lists.values()) {
-        if (mesh.names(v)) is_used[static_cast<std::size_t>(v)] = true;
-      }
-    }
-  });
-  std::vector<Vertex> unused;
-  for (std::size_t v = 0; v < is_used.size() && unused.size() <= kMostUnused; ++v) {
-    if (!is_used[v]) unused.push_back(static_cast<Vertex>(v));
-  }
-  return unused;
-}
-
 IndexLists with_more(const Mesh& mesh, const std::vector<Simplex>& more) {
   return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> IndexLists {
     if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
@@ -210,8 +195,8 @@ IndexLists with_more(const Mesh& mesh, const std::vector<Simplex>& more) {
   });
 }
 
-std::string words_of(const Mesh& mesh, const std::vector<Simplex>& missing) {
-  const auto noun = report::simplices_noun(static_cast<int>(mesh.dimension()), missing.size());
+std::string words_of(int dimension, const Mesh& mesh, const std::vector<Simplex>& missing) {
+  const auto noun = report::simplices_noun(dimension, missing.size());
   const std::string first = report::labels(mesh, missing.front());
   if (missing.size() == 1) return fmt::format("1 {} is missing: {} fills the hole", noun, first);
   return fmt::format("{} {} are missing: {} and {} more fill the holes", missing.size(), noun,
@@ -250,17 +235,28 @@ bool leave_uncovered(const Case& of, const std::vector<Simplex>& missing) {
   });
 }
 
+// Around each of the holes of a surface three edges go.
+std::optional<Cause> missing_in_surface(Case& of) {
+  const auto loops = loops_of(edges_of_holes(of));
+  if (!loops || loops->empty()) return std::nullopt;
+  const auto is_of_three = [](const std::vector<Vertex>& loop) { return loop.size() == 3; };
+  if (!std::all_of(loops->begin(), loops->end(), is_of_three)) return std::nullopt;
+  const auto mended = of.mended(with_simplices(of.mesh(), with_more(of.mesh(), *loops)));
+  if (!mended || mended->explains == 0) return std::nullopt;
+  return of.cause("missing-simplex", words_of(2, of.mesh(), *loops), mended->explains);
+}
+
 }  // namespace
 
 std::optional<Cause> missing_simplices(Case& of) {
-  if (of.verdict().claim() == Claim::kComplex) return std::nullopt;
+  if (of.verdict().claim() == Claim::kComplex) return missing_in_surface(of);
   Holes holes(of.mesh(), of.bare());
   std::vector<Simplex> missing = holes.closed();
   const bool are_closed = !missing.empty();
   if (!are_closed) {
     missing = holes.open();
     if (of.breaks(Rule::kUnusedPoint)) {
-      const std::vector<Vertex> unused = unused_points(of.mesh());
+      const std::vector<Vertex> unused = unused_points(of.mesh(), kMostUnused);
       if (unused.size() <= kMostUnused) {
         const std::vector<Simplex> more = holes.at(unused);
         missing.insert(missing.end(), more.begin(), more.end());
@@ -268,7 +264,7 @@ std::optional<Cause> missing_simplices(Case& of) {
     }
   }
   if (missing.empty()) return std::nullopt;
-  const std::string words = words_of(of.mesh(), missing);
+  const std::string words = words_of(static_cast<int>(of.mesh().dimension()), of.mesh(), missing);
   if (are_closed && of.mesh().simplices.size() > kMostMended) {
     return at_holes(of, words, missing);
   }

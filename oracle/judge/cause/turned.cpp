@@ -150,9 +150,9 @@ std::optional<Cause> turned_simplices(Case& of) {
     const bool are_negative = verdict.complex->positive == 0;
     return of.cause(
         "all-inverted",
-        fmt::format("all {} list their vertices in the other order: --oriented={} holds "
-                    "of them",
-                    simplices, are_negative ? "negative" : "positive"),
+        fmt::format("{}{} vertices in the other order: --oriented={} holds of {}",
+                    all == 1 ? "" : "all ", simplices + (all == 1 ? " lists its" : " list their"),
+                    are_negative ? "negative" : "positive", all == 1 ? "it" : "them"),
         turned);
   }
   return of.cause(
