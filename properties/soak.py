@@ -11,7 +11,8 @@ tried. These are doctest's and those with the label `timed`. The others run whol
 long they took, and those run, the shortest first, that together take no more than half of the time. What is left of
 the time begins another round of the first kind.
 
-When the time is up, the tests that are running are stopped and count as cut off, neither passed nor failed. A property may
+When the time is up, the tests that are running are stopped and count as cut off, neither passed nor failed. So does one that
+has taken three times its share before, since one input may take long: the others have their turn. A property may
 insist that some kind of input occurs (`occurs` in run.hpp). That is a fact about the fixed inputs of `make test`;
 CIRCUMSPECT_SOAK in the environment takes the question back.
 
@@ -39,6 +40,9 @@ TOTALS = pathlib.Path(__file__).with_name("soak.tsv")
 HEADER = "# What all soaks did: test, runs, inputs, faults, seconds of the longest whole run"
 # Of the time that is left, what the programs of a round are told to take: they end a little late.
 SHARE = 0.9
+# After so many times its share, and no fewer seconds, a program is cut off.
+PATIENCE = 3
+LEAST_PATIENCE = 2.0
 
 
 @dataclasses.dataclass
@@ -64,6 +68,7 @@ class Run:
     process: subprocess.Popen
     seed: int
     begun: float
+    cut_at: float  # when it has had far more than its share
     log: pathlib.Path
 
 
@@ -147,15 +152,17 @@ class Soak:
         environment = {**os.environ, "TMPDIR": folder, **test.environment, "CIRCUMSPECT_SOAK": "1",
                        "RC_PARAMS": f"seed={seed}"}
         command = list(test.command)
+        begun, share = time.monotonic(), self.share_of(test)
         if test.divisible:
-            environment["CIRCUMSPECT_SECONDS"] = str(max(1, int(SHARE * self.share_of(test))))
+            environment["CIRCUMSPECT_SECONDS"] = str(max(1, int(SHARE * share)))
         if is_doctest(command):
             command += ["--order-by=rand", f"--rand-seed={seed % 2**31}"]
         log = pathlib.Path(folder) / f"{seed} {test.name.replace('/', ':')}"
         with log.open("wb") as output:
             process = subprocess.Popen(["nice", *command], cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
                                        stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
-        self.running.append(Run(test, process, seed, time.monotonic(), log))
+        patience = max(LEAST_PATIENCE, PATIENCE * share) if test.divisible else float("inf")
+        self.running.append(Run(test, process, seed, begun, begun + patience, log))
 
     def has_room_for(self, test):
         busy = sum(run.test.processors for run in self.running)
@@ -197,19 +204,18 @@ class Soak:
                   f"-R '^{test.name}$' --output-on-failure", flush=True)
         run.log.unlink()
 
-    def stop(self):
-        """Ends what is running, with all that it has started."""
-        for run in self.running:
-            was_over = run.process.poll() is not None
-            if not was_over:
-                os.killpg(run.process.pid, signal.SIGTERM)
-                try:
-                    run.process.wait(10)
-                except subprocess.TimeoutExpired:
-                    os.killpg(run.process.pid, signal.SIGKILL)
-                    run.process.wait()
-            self.end(run, is_cut=not was_over)
-        self.running = []
+    def stop(self, run):
+        """Ends one that is running, with all that it has started."""
+        was_over = run.process.poll() is not None
+        if not was_over:
+            os.killpg(run.process.pid, signal.SIGTERM)
+            try:
+                run.process.wait(10)
+            except subprocess.TimeoutExpired:
+                os.killpg(run.process.pid, signal.SIGKILL)
+                run.process.wait()
+        self.running.remove(run)
+        self.end(run, is_cut=not was_over)
 
     def go(self, folder):
         while self.left() > 0 and not self.failed:
@@ -225,6 +231,8 @@ class Soak:
                 if run.process.poll() is not None:
                     self.running.remove(run)
                     self.end(run)
+                elif time.monotonic() > run.cut_at:
+                    self.stop(run)
             if not self.waiting and not self.running and not self.divisible:
                 return
 
@@ -262,7 +270,8 @@ def main(arguments):
             soak.go(folder)
         except KeyboardInterrupt:
             interrupted = True
-        soak.stop()
+        for run in list(soak.running):
+            soak.stop(run)
     write_totals(path, soak.totals)
     print("\n".join(soak.table()))
     ended = sum(1 for test in soak.tests if test.runs and not test.said)

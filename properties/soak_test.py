@@ -42,7 +42,7 @@ class Folder:
         rows = (self.root / "soak.tsv").read_text().splitlines()[1:]
         return {row.split("\t")[0]: [int(n) for n in row.split("\t")[1:]] for row in rows}
 
-    def soak(self, minutes="0.02"):
+    def soak(self, minutes="0.06"):
         return subprocess.run([str(SOAK), str(self.root), minutes], capture_output=True, text=True,
                               env={**os.environ, "SOAK_TOTALS": str(self.root / "soak.tsv")})
 
@@ -83,6 +83,15 @@ def test_one_that_does_not_end_is_cut_off(folder):
     assert time.monotonic() - begun < 12
     assert done.returncode == 0 and "cut off" in row_of(done, "endless"), done.stdout
     assert folder.totals()["endless"][3] >= 2  # a longer soak is asked for next time
+
+
+def test_one_that_takes_too_much_leaves_the_others_their_turn(folder):
+    folder.add("greedy", "#!/bin/sh\nsleep 77 & wait\n", "tests", 'LABELS "soak" PROCESSORS 99')
+    folder.add("timed", TIMED, "tests")
+    done = folder.soak("0.1")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "cut off" in row_of(done, "greedy"), done.stdout
+    assert " of " in row_of(done, "timed") and "not reached" not in row_of(done, "timed"), done.stdout
 
 
 def test_a_failure_ends_it_and_says_how_to_repeat_it(folder):
