@@ -14,7 +14,8 @@ export class Numbers {
   get rows() { return this.columns === 0 ? 0 : this.length / this.columns; }
 }
 
-// An array looks empty if its buffer went to another thread, or is no longer as long as the array; only its methods tell.
+// An array looks empty if its buffer went to another thread, or is no longer as long as the
+// array; only its methods tell.
 function refuseDetached(array, what) {
   if (!isArray(array) || Array.isArray(array) || array.length > 0) return;
   try {
