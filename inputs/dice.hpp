@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace circumspect::generators {
 
@@ -53,5 +54,13 @@ class Dice {
  private:
   std::uint64_t state_;
 };
+
+// Puts a list in another order, each as likely as any other.
+template <class List>
+constexpr void shuffle(List& list, Dice& dice) {
+  for (std::size_t left = list.size(); left > 1; --left) {
+    std::swap(list[left - 1], list[dice.below(left)]);
+  }
+}
 
 }  // namespace circumspect::generators

@@ -19,9 +19,7 @@ std::vector<std::size_t> shuffled(std::size_t count) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   Dice dice(count);
-  for (std::size_t left = count; left > 1; --left) {
-    std::swap(order[left - 1], order[dice.below(left)]);
-  }
+  shuffle(order, dice);
   if (std::is_sorted(order.begin(), order.end())) std::reverse(order.begin(), order.end());
   return order;
 }

@@ -11,6 +11,7 @@
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/stray_faces.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/arguments/run.hpp"
@@ -202,10 +203,8 @@ ComplexDemands drawn_demands(Dice& dice) {
 }
 
 Mesh in_arrays(const ListedComplex& listed, std::vector<Simplex> faces = {}) {
-  Mesh mesh;
+  Mesh mesh = listed_mesh(listed.points, listed.simplices);
   mesh.faces = std::move(faces);
-  mesh.coordinates = numbers_of(listed.points, listed.points.front().size());
-  mesh.simplices = IndexLists(listed.simplices);
   return mesh;
 }
 

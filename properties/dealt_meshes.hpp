@@ -19,8 +19,7 @@ enum class Way { kSlices, kRoundRobin, kAlongALine, kAllToOne, kSomeToNone };
 
 // Which rank has which simplices, in which order. The same at all ranks.
 inline std::vector<std::vector<std::size_t>> dealt_places(const ArrayMesh& mesh, Way way,
-                                                          std::size_t ranks,
-                                                          properties::Dice& dice) {
+                                                          std::size_t ranks, Dice& dice) {
   std::vector<std::vector<std::size_t>> places(ranks);
   std::vector<std::size_t> order(mesh.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,15 +54,15 @@ inline std::vector<std::vector<std::size_t>> dealt_places(const ArrayMesh& mesh,
     case Way::kSomeToNone: {
       const std::size_t some = 1 + dice.below(ranks);
       for (const std::size_t s : order) places[dice.below(some)].push_back(s);
-      for (auto& own : places) std::shuffle(own.begin(), own.end(), dice.engine());
-      std::shuffle(places.begin(), places.end(), dice.engine());
+      for (auto& own : places) shuffle(own, dice);
+      shuffle(places, dice);
       break;
     }
   }
   return places;
 }
 
-inline distributed::Dealt dealt(const ArrayMesh& mesh, Way way, properties::Dice& dice,
+inline distributed::Dealt dealt(const ArrayMesh& mesh, Way way, Dice& dice,
                                 const distributed::Ranks& ranks) {
   const std::size_t rank = ranks.rank(), d = mesh.dimension;
   const auto places = dealt_places(mesh, way, ranks.size(), dice);
@@ -126,18 +125,17 @@ inline std::string said_by_all(distributed::Ranks& ranks, Claim claim, distribut
 }
 
 // What parts of one process say; some are in files while others have their turn.
-inline std::string said_in_turns(Claim claim, const ArrayMesh& mesh, Way way,
-                                 properties::Dice& dice, const check::Options& options,
-                                 std::size_t most_parts) {
+inline std::string said_in_turns(Claim claim, const ArrayMesh& mesh, Way way, Dice& dice,
+                                 const check::Options& options, std::size_t most_parts) {
   const distributed::Turns turns{.parts = 1 + dice.below(most_parts),
                                  .at_once = 1 + dice.below(3),
                                  .room = 1000 + dice.below(20000),
                                  .folder = "/tmp",
                                  .few = 5};
-  const properties::Dice before = dice;
+  const Dice before = dice;
   std::string said;
   distributed::in_turns(turns, [&](distributed::Ranks& ranks) {
-    properties::Dice same = before;
+    Dice same = before;
     std::string own = said_by_all(ranks, claim, dealt(mesh, way, same, ranks), options);
     if (ranks.is_first()) said = std::move(own);
   });

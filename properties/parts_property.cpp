@@ -26,7 +26,7 @@ namespace {
 // of several triangulations it is another one that is canonical there. One in eight is triangulated
 // by other weights, and so not locally Delaunay. `taken`: points that are others.
 std::optional<ArrayMesh> drawn_mesh(std::size_t d, bool weighted, std::set<Point>& taken,
-                                    properties::Dice& dice) {
+                                    Dice& dice) {
   std::vector<Point> points;
   std::vector<Rational> weights;
   for (std::size_t more = d + 1 + dice.below(5); more > 0; --more) {
@@ -63,7 +63,7 @@ void append(ArrayMesh& mesh, const ArrayMesh& other) {
 }
 
 // A point that no simplex names: it is equal to another, but for the signs of zeros.
-void repeat_point(ArrayMesh& mesh, std::size_t v, properties::Dice& dice) {
+void repeat_point(ArrayMesh& mesh, std::size_t v, Dice& dice) {
   for (std::size_t axis = 0; axis < mesh.dimension; ++axis) {
     const double x = mesh.coordinates[v * mesh.dimension + axis];
     mesh.coordinates.push_back(x == 0 ? -x : x);
@@ -73,7 +73,7 @@ void repeat_point(ArrayMesh& mesh, std::size_t v, properties::Dice& dice) {
 
 // Points between vertices of one simplex: in it alone, or in what several have in common; hidden,
 // or so heavy that they may not be.
-void add_points_within(ArrayMesh& mesh, std::set<Point>& taken, properties::Dice& dice) {
+void add_points_within(ArrayMesh& mesh, std::set<Point>& taken, Dice& dice) {
   const std::size_t d = mesh.dimension;
   for (std::size_t more = 1 + dice.below(9); more > 0; --more) {
     const auto row = mesh.row(dice.below(mesh.size()));
@@ -92,7 +92,7 @@ void add_points_within(ArrayMesh& mesh, std::set<Point>& taken, properties::Dice
   }
 }
 
-void alter(ArrayMesh& mesh, bool weighted, std::set<Point>& taken, properties::Dice& dice) {
+void alter(ArrayMesh& mesh, bool weighted, std::set<Point>& taken, Dice& dice) {
   switch (dice.below(9)) {
     case 0: {
       const std::size_t v = dice.below(mesh.points());
@@ -168,7 +168,7 @@ TEST_CASE("the points in the box of a simplex are found, though many have equal 
 TEST_CASE("a mesh judged in parts has the verdict of the whole") {
   std::map<std::string, std::size_t> seen;
   CHECK(holds("on grids", 1400, [&] {
-    properties::Dice dice(static_cast<std::uint64_t>(*generators::below(1'000'000'000)));
+    Dice dice(static_cast<std::uint64_t>(*generators::below(1'000'000'000)));
     const std::size_t d = 2 + dice.below(2);
     const bool weighted = dice.below(2) == 0;
     std::set<Point> taken;
@@ -196,7 +196,7 @@ TEST_CASE("every mutation of a larger mesh is told in parts as in the whole") {
   });
   std::map<std::string, std::size_t> seen;
   CHECK(holds("on doubles", 60, [&] {
-    properties::Dice dice(static_cast<std::uint64_t>(*generators::below(1'000'000'000)));
+    Dice dice(static_cast<std::uint64_t>(*generators::below(1'000'000'000)));
     const std::size_t d = 2 + dice.below(2);
     std::vector<Point> points;
     for (std::size_t i = 0; i < 30; ++i) {
@@ -253,7 +253,7 @@ TEST_CASE("a submerged point in a witness plane is a tie in parts as in the whol
     CHECK(whole.find("holds: weighted-delaunay") != std::string::npos);
     CHECK(whole.find(" not-unique canonical") != std::string::npos);
     for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAllToOne, Way::kSomeToNone}) {
-      properties::Dice dice(7);
+      Dice dice(7);
       CHECK(said_in_turns(Claim::kWeightedDelaunay, mesh, way, dice, {}, 4) == whole);
     }
   }
@@ -265,7 +265,7 @@ TEST_CASE("four points nearly on one circle are told in parts as in the whole") 
   std::set<std::string> seen;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     CAPTURE(seed);
-    properties::Dice dice(seed);
+    Dice dice(seed);
     ArrayMesh mesh{.dimension = 2};
     mesh.coordinates = {3, 4, -4, 3, -3, -4};
     const double angle = 0.1 * static_cast<double>(1 + dice.below(14)) - 0.9;
@@ -277,7 +277,7 @@ TEST_CASE("four points nearly on one circle are told in parts as in the whole") 
     const std::string whole = said_by_one(Claim::kDelaunay, mesh, {});
     seen.insert(whole.substr(0, 5));
     for (const std::size_t parts : {2, 3}) {
-      properties::Dice same(7);
+      Dice same(7);
       CHECK(said_in_turns(Claim::kDelaunay, mesh, Way::kSlices, same, {}, parts) == whole);
     }
   }
@@ -303,7 +303,7 @@ TEST_CASE("a simplex within another one is covered twice, though each part has b
       const std::string whole = said_by_one(claim, mesh, {});
       CHECK(whole.find("triangulation.covered-twice") != std::string::npos);
       for (const std::size_t parts : {2, 4}) {
-        properties::Dice same(7);
+        Dice same(7);
         CHECK(said_in_turns(claim, mesh, Way::kSlices, same, {}, parts) == whole);
       }
     }
@@ -320,7 +320,7 @@ TEST_CASE("a point beyond the hull is found in parts beside a submerged one, whi
     const std::string whole = said_by_one(Claim::kWeightedDelaunay, mesh, {});
     CHECK(whole.find("fails: weighted-delaunay") != std::string::npos);
     for (std::uint64_t seed = 0; seed < 8; ++seed) {  // which says how many parts there are
-      properties::Dice dice(seed);
+      Dice dice(seed);
       CHECK(said_in_turns(Claim::kWeightedDelaunay, mesh, Way::kSlices, dice, {}, 3) == whole);
     }
   }

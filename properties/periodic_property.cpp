@@ -9,6 +9,7 @@
 #include "inputs/dice.hpp"
 #include "oracle/judge/periodic/judge_periodic.hpp"
 #include "oracle/judge/periodic/unfolded.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
@@ -282,9 +283,7 @@ TEST_CASE("periodic-delaunay: by lemma and by definition it holds of the same me
 
 std::set<Rule> broken_by_definition(const std::vector<Point>& points,
                                     const std::vector<Simplex>& cells, const Periodic& how) {
-  Mesh listed;
-  listed.coordinates = numbers_of(points, 2);
-  listed.simplices = IndexLists(cells);
+  const Mesh listed = listed_mesh(points, cells);
   std::set<Rule> broken;
   const Verdict verdict =
       check::judge_periodic(check::unfolded(listed, how), {.by = check::By::kDefinition});

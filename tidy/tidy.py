@@ -72,7 +72,7 @@ ARROWS = {
     "command/web": ["command/check"],
     "command/without_linux": ["command", "command/check"],
     "properties/arguments": ["inputs/triangulated"],
-    "properties/mutations": ["oracle/model"],
+    "properties/mutations": ["oracle/model", "inputs"],
     "properties/faulty": ["reference/constrained", "fuzz/campaign", "inputs/triangulated"],
     "properties/adapters": ["include/circumspect"],
     "properties": ["construct", "reference/optimality", "reference/constrained", "reference/existence",

@@ -8,6 +8,7 @@
 
 #include "kernel/complex/circumball.hpp"
 #include "oracle/formats/vtu.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 #include "oracle/picture/picture.hpp"
 
 namespace circumspect::picture {
@@ -73,10 +74,6 @@ void check_laws(const Json& picture) {
   }
 }
 
-Mesh rows(const std::vector<Point>& points, const std::vector<Simplex>& simplices) {
-  return in_rows({PointSet(points), simplices});
-}
-
 }  // namespace
 
 TEST_CASE("in every picture frame, ball and heights fit the points, and nothing is far") {
@@ -96,7 +93,7 @@ TEST_CASE("in every picture frame, ball and heights fit the points, and nothing 
         {.simplices = {{4, 1, 2}}, .ball = circumball(PointSet(plane), {0, 1, 2})},
         {.vertices = {1}},
         {.simplices = {{0, 1, 2}, {1, 3, 2}}, .face = Simplex{1, 2}}};
-    for (const Json& picture : pictures(witnesses, rows(plane, triangles), about)) {
+    for (const Json& picture : pictures(witnesses, listed_mesh(plane, triangles), about)) {
       CAPTURE(picture.dump());
       check_laws(picture);
     }
@@ -106,11 +103,12 @@ TEST_CASE("in every picture frame, ball and heights fit the points, and nothing 
                                            .ball = circumball(PointSet(space), {0, 1, 2, 3})},
                                           {.vertices = {3}},
                                           {.simplices = tetrahedra, .face = Simplex{0, 1, 2}}};
-  for (const Json& picture : pictures(witnesses, rows(space, tetrahedra))) check_laws(picture);
+  for (const Json& picture : pictures(witnesses, listed_mesh(space, tetrahedra)))
+    check_laws(picture);
 }
 
 TEST_CASE("a simplex is around a place only if its box holds the place along every axis") {
-  const Mesh mesh = rows({{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
+  const Mesh mesh = listed_mesh({{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
   for (int x = -1; x <= 5; ++x) {
     for (int y = -1; y <= 5; ++y) {
       const std::vector<Witness> witness = {{.point = Point{x, y}}};
@@ -122,7 +120,7 @@ TEST_CASE("a simplex is around a place only if its box holds the place along eve
 
 TEST_CASE(
     "cells: a repeated vertex makes an edge of a triangle, and a ball without a radius is none") {
-  const Mesh mesh = rows({{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
+  const Mesh mesh = listed_mesh({{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
   Verdict verdict(Claim::kWeightedDelaunay, 20);
   verdict.add(Rule::kRepeatedVertex, {.simplices = {{0, 1, 1}}, .ball = Ball{{2, 2}, -1}});
   std::ostringstream out;

@@ -209,7 +209,7 @@ bool drop_simplex(ArrayMesh& mesh, Dice& dice) {
 bool list_twice(ArrayMesh& mesh, Dice& dice) {
   const auto row = mesh.row(dice.below(mesh.size()));
   std::vector<std::int64_t> again(row.begin(), row.end());
-  std::shuffle(again.begin(), again.end(), dice.engine());
+  shuffle(again, dice);
   const auto place = static_cast<std::ptrdiff_t>(dice.below(mesh.size() + 1) * mesh.width());
   mesh.simplices.insert(mesh.simplices.begin() + place, again.begin(), again.end());
   mesh.neighbors.clear();
@@ -219,7 +219,7 @@ bool list_twice(ArrayMesh& mesh, Dice& dice) {
 bool permute_rows(ArrayMesh& mesh, Dice& dice) {
   for (std::size_t s = 0; s < mesh.size(); ++s) {
     const auto row = mesh.row(s);
-    std::shuffle(row.begin(), row.end(), dice.engine());
+    shuffle(row, dice);
   }
   mesh.neighbors.clear();
   return true;

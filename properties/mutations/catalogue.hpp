@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "inputs/dice.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/rule.hpp"
 
@@ -48,17 +48,7 @@ std::size_t other_side(const ArrayMesh& mesh, std::size_t facet);
 int orientation_of(const ArrayMesh& mesh, std::span<const std::int64_t> row);
 int in_ball_of(const ArrayMesh& mesh, std::span<const std::int64_t> row, std::int64_t q);
 
-// What is random in a mutation.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  // Requires: count > 0.
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
-  std::mt19937_64& engine() { return engine_; }
-
- private:
-  std::mt19937_64 engine_;
-};
+using generators::Dice;
 
 // The catalogue of mutations: each way to break a Delaunay mesh of any size, points, simplices,
 // links and weights, with what must be said of it.

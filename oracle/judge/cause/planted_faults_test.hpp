@@ -12,6 +12,7 @@
 #include "oracle/judge/cause/causes.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 
 namespace circumspect::check {
 
@@ -47,12 +48,7 @@ Lists grid(std::size_t side) {
   return lists;
 }
 
-inline Mesh in_arrays(const Lists& lists) {
-  Mesh mesh;
-  mesh.coordinates = numbers_of(lists.points, lists.dimension());
-  mesh.simplices = IndexLists(lists.simplices);
-  return mesh;
-}
+inline Mesh in_arrays(const Lists& lists) { return listed_mesh(lists.points, lists.simplices); }
 
 inline std::vector<Cause> causes_of(const Lists& lists, Claim claim, const Options& options = {}) {
   const Mesh mesh = in_arrays(lists);

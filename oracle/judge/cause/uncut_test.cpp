@@ -8,16 +8,10 @@
 
 #include "oracle/judge/cause/causes.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 
 namespace circumspect::check {
 namespace {
-
-Mesh mesh_of(const std::vector<Point>& points, const std::vector<Simplex>& simplices) {
-  Mesh mesh;
-  mesh.coordinates = numbers_of(points, points.front().size());
-  mesh.simplices = IndexLists(simplices);
-  return mesh;
-}
 
 std::vector<Cause> causes_of_complex(const Mesh& mesh) {
   const auto judged = [](const Mesh& one) -> std::optional<Verdict> {
@@ -36,8 +30,8 @@ std::vector<Uncut> found_in(const Mesh& mesh) { return uncut_faces(mesh, bare_fa
 
 // The triangle above the edge 0 1 is not cut; those below meet in two vertices near it.
 Mesh plane(const Rational& off) {
-  return mesh_of({{0, 0}, {3, 0}, {1, off}, {2, off / 2}, {1, -2}, {1, 3}},
-                 {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}});
+  return listed_mesh({{0, 0}, {3, 0}, {1, off}, {2, off / 2}, {1, -2}, {1, 3}},
+                     {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}});
 }
 
 }  // namespace
@@ -62,8 +56,8 @@ TEST_CASE("causes: vertices in the plane that were rounded away from an edge") {
         "facets");
   CHECK(found_in(plane(Rational(1, 10))).empty());
   // Cut at another vertex, the facets do not match.
-  CHECK(found_in(mesh_of({{0, 0}, {3, 0}, {1, kOff}, {2, -1}, {1, -2}, {1, 3}},
-                         {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}}))
+  CHECK(found_in(listed_mesh({{0, 0}, {3, 0}, {1, kOff}, {2, -1}, {1, -2}, {1, 3}},
+                             {{0, 2, 4}, {2, 3, 4}, {3, 1, 4}, {0, 1, 5}}))
             .empty());
 }
 
@@ -80,14 +74,14 @@ TEST_CASE("causes: a vertex in space that was rounded away from an edge, or from
       ring.push_back({0, 1, p, q});
     }
   }
-  const std::vector<Cause> at_edge = causes_of_complex(mesh_of(points, ring));
+  const std::vector<Cause> at_edge = causes_of_complex(listed_mesh(points, ring));
   REQUIRE(!at_edge.empty());
   CHECK(at_edge[0].name == "hanging-vertices-rounded");
   CHECK(at_edge[0].words.starts_with("1 vertex lies beside faces"));
   CHECK(at_edge[0].explains == at_edge[0].of);
   const Mesh on_triangle =
-      mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, kOff}, {1, 1, -2}, {1, 1, 3}},
-              {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
+      listed_mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, kOff}, {1, 1, -2}, {1, 1, 3}},
+                  {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
   const std::vector<Uncut> found = found_in(on_triangle);
   REQUIRE(found.size() == 1);
   CHECK(found[0].face == Simplex{0, 1, 2});
@@ -106,7 +100,8 @@ TEST_CASE("causes: beside a triangle is what is above the inside of it, however 
                 {x, y, kOff},
                 {1, 1, -2},
                 {1, 1, 3}};
-      const Mesh mesh = mesh_of(points, {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
+      const Mesh mesh =
+          listed_mesh(points, {{0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}, {0, 1, 2, 5}});
       const std::vector<Uncut> found = found_in(mesh);
       const bool is_beside = std::any_of(found.begin(), found.end(), [](const Uncut& one) {
         return one.vertex == 3 && one.face == Simplex{0, 1, 2};

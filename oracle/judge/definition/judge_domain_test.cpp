@@ -93,6 +93,13 @@ TEST_CASE("holes, hulls and points of one line") {
   CHECK(broken_in_domain(claim, {on_line, {}}, line) == Broken{{Rule::kSegmentMissing, 1}});
   CHECK(broken_in_domain(claim, {on_line, {{0, 1, 2}}}, line) ==
         Broken{{Rule::kWrongDimension, 1}});
+  // An edge that leads to a segment at a right angle has nothing in common with it, but no length
+  // along it either.
+  const PiecewiseLinearInput foot{{{0, 0}, {2, 0}, {0, 1}}, {{0, 1}}, {}, {}};
+  const PointSet at_foot(foot.points);
+  CHECK(broken_in_domain(claim, {at_foot, {}, {}, 0, {}, {{0, 1}}}, foot).empty());
+  CHECK(broken_in_domain(claim, {at_foot, {}, {}, 0, {}, {{0, 1}, {0, 2}}}, foot) ==
+        Broken{{Rule::kOutside, 1}});
 }
 
 TEST_CASE("an empty domain has nothing in it") {

@@ -37,9 +37,9 @@ class LinearCells {
   bool vertices_and_segments_are_simplicial_complex() const {
     std::vector<Simplex> simplices = complex_.segments;
     for (const Vertex v : all_vertices(points_)) simplices.push_back({v});
-    for (const Simplex& a : simplices) {
-      for (const Simplex& b : simplices) {
-        if (improper_intersection(points_, a, b)) return false;
+    for (std::size_t a = 0; a < simplices.size(); ++a) {
+      for (std::size_t b = a + 1; b < simplices.size(); ++b) {
+        if (improper_intersection(points_, simplices[a], simplices[b])) return false;
       }
     }
     return true;

@@ -10,7 +10,6 @@
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
-#include "oracle/judge/definition/distance.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/triangulation.hpp"
 
@@ -19,8 +18,8 @@ namespace {
 
 using Axes = std::vector<std::size_t>;
 
-// The measure (measure.hpp) of what two segments, or triangles of one plane, have in common. If
-// they are not in one line or plane, that is nothing.
+// The measure (measure.hpp) of what two segments of one line, or triangles of one plane, have in
+// common.
 Rational common_measure(const Axes& axes, const std::vector<Point>& a,
                         const std::vector<Point>& b) {
   const std::vector<Point> corners = intersection(a, b);
@@ -252,13 +251,14 @@ class Judging {
   // Has the edge or triangle as much in common with a cell as with itself?
   bool is_part(const Simplex& simplex, const std::vector<Simplex>& cell, const Axes& axes) const {
     const std::vector<Point> corners = coordinates(mesh_.points, simplex);
-    const Rational whole = measure(mesh_.points, axes, simplex);
-    if (whole == 0) return false;  // it is not in the line or plane of the cell
+    std::vector<Point> all = coordinates(complex_.points, cell.front());
+    all.insert(all.end(), corners.begin(), corners.end());
+    if (affine_hull(all).dimension != static_cast<int>(axes.size())) return false;
     Rational common = 0;
     for (const Simplex& own : cell) {
       common += common_measure(axes, corners, coordinates(complex_.points, own));
     }
-    return common == whole;
+    return common == measure(mesh_.points, axes, simplex);
   }
 
   // The vertex of the mesh that is nearest to a point or segment, without lying on it. It proves
@@ -267,7 +267,9 @@ class Judging {
     std::optional<NearestVertex> nearest;
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
       if (!is_used(v)) continue;
-      const Rational squared = squared_distance_between({mesh_.points[v]}, cell);
+      const Point& p = mesh_.points[v];
+      const Rational squared = cell.size() == 1 ? squared_distance(p, cell[0])
+                                                : squared_distance_to_segment(p, cell[0], cell[1]);
       if (squared == 0 || (nearest && squared >= nearest->squared_distance)) continue;
       nearest = {v, squared};
     }

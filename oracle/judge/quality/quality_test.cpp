@@ -3,16 +3,13 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/quality/judge_quality.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 
 namespace circumspect::check {
 namespace {
 
 const std::vector<Point> kHouse = {{0, 0}, {10, 0}, {10, 8}, {0, 8}, {5, 1}};
 const std::vector<Simplex> kRoofs = {{0, 1, 4}, {3, 0, 4}, {1, 2, 4}, {2, 3, 4}};
-
-Mesh mesh_of(std::vector<Point> points, std::vector<Simplex> simplices) {
-  return in_rows({PointSet(std::move(points)), std::move(simplices)});
-}
 
 Options requiring(std::initializer_list<const char*> texts, By by = By::kLemma) {
   Options options{.by = by, .max_violations = 0, .threads = 1};
@@ -41,7 +38,7 @@ std::size_t broken(const Mesh& mesh, const char* text) {
 }
 
 TEST_CASE("a simplex that measures as much as the bound keeps it, and no less") {
-  const Mesh house = mesh_of(kHouse, kRoofs);
+  const Mesh house = listed_mesh(kHouse, kRoofs);
   CHECK(broken(house, "edge:10") == 0);
   CHECK(broken(house, "edge:9.999999999999999999") == 2);
   CHECK(broken(house, "min-edge:sqrt(26)") == 0);
@@ -52,12 +49,12 @@ TEST_CASE("a simplex that measures as much as the bound keeps it, and no less") 
   CHECK(broken(house, "radius-edge:sqrt(6.49999999999999999999)") == 1);
   CHECK(broken(house, "aspect-ratio:10") == 0);
   CHECK(broken(house, "aspect-ratio:9.99999999999999999999") == 1);
-  const Mesh halves = mesh_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}});
+  const Mesh halves = listed_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}});
   CHECK(broken(halves, "min-angle:45deg") == 0);
   CHECK(broken(halves, "min-angle:45.00000000000000000001deg") == 2);
   CHECK(broken(halves, "max-angle:90deg") == 0);
   CHECK(broken(halves, "max-angle:89.99999999999999999999deg") == 2);
-  const Mesh corner = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+  const Mesh corner = listed_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
   CHECK(broken(corner, "max-dihedral:90deg") == 0);
   CHECK(broken(corner, "max-dihedral:89.99999999999999999999deg") == 1);
   CHECK(broken(corner, "min-dihedral:54.7356deg") == 0);  // arccos(1/√3)
@@ -71,7 +68,7 @@ TEST_CASE("a simplex that measures as much as the bound keeps it, and no less") 
 
 TEST_CASE("the witness is the simplex, the corner or the edge, and the exact value") {
   Verdict verdict(Claim::kComplex, 0);
-  judge_quality(mesh_of(kHouse, kRoofs), nullptr, 0,
+  judge_quality(listed_mesh(kHouse, kRoofs), nullptr, 0,
                 requiring({"min-angle:20deg", "edge:9", "radius-edge:2"}), verdict);
   REQUIRE(verdict.violations().size() == 4);
   const Witness& angle = verdict.violations()[0].witness;
@@ -89,12 +86,12 @@ TEST_CASE("the witness is the simplex, the corner or the edge, and the exact val
 }
 
 TEST_CASE("what is set apart is not measured") {
-  const Mesh mesh = mesh_of(kHouse, {{0, 1, 4}, {0, 1, 9}, {0, 1, 1}, {0, 1, -1}});
+  const Mesh mesh = listed_mesh(kHouse, {{0, 1, 4}, {0, 1, 9}, {0, 1, 1}, {0, 1, -1}});
   CHECK(broken(mesh, "edge:9") == 1);
-  CHECK(broken(mesh_of({{0, 0}, {1, 1}, {2, 2}, {5, 0}}, {{0, 1, 2}, {0, 1, 3}}),
+  CHECK(broken(listed_mesh({{0, 0}, {1, 1}, {2, 2}, {5, 0}}, {{0, 1, 2}, {0, 1, 3}}),
                "min-angle:59deg") == 1);
-  CHECK(broken(mesh_of(kHouse, {{0, 1, 4}, {0, 1}}), "edge:9") == 1);
-  const Mesh in_thirds = mesh_of({{Rational(1, 3), 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
+  CHECK(broken(listed_mesh(kHouse, {{0, 1, 4}, {0, 1}}), "edge:9") == 1);
+  const Mesh in_thirds = listed_mesh({{Rational(1, 3), 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
   CHECK(broken(in_thirds, "min-edge:2/3") == 0);
   CHECK(broken(in_thirds, "min-edge:0.6667") == 1);
 }
@@ -106,7 +103,7 @@ TEST_CASE("doubles that overflow or underflow in the filter are decided exactly"
     for (const Point& corner : std::vector<Point>{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}}) {
       points.push_back(unit * corner);
     }
-    const Mesh mesh = mesh_of(points, {{0, 1, 2, 3}});
+    const Mesh mesh = listed_mesh(points, {{0, 1, 2, 3}});
     CAPTURE(scale);
     CHECK(broken(mesh, "max-dihedral:89deg") == 1);
     CHECK(broken(mesh, "max-dihedral:91deg") == 0);

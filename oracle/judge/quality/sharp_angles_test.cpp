@@ -5,13 +5,10 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/quality/judge_quality.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 
 namespace circumspect::check {
 namespace {
-
-Mesh fan_of(std::vector<Point> points, std::vector<Simplex> simplices) {
-  return in_rows({PointSet(std::move(points)), std::move(simplices)});
-}
 
 std::vector<bool> touched(const Mesh& mesh, const Domain* domain, const char* degrees,
                           const Rational& squared_reach = 0) {
@@ -31,7 +28,7 @@ Domain corner_domain() {
 }
 
 TEST_CASE("simplices with a vertex on each of two segments that meet at a sharp angle") {
-  const Mesh mesh = fan_of(kCorner, kInCorner);
+  const Mesh mesh = listed_mesh(kCorner, kInCorner);
   const Domain domain = corner_domain();
   // Angles of 45, 90 and 45 degrees: between 0-1 and 0-2, and between 0-2 and 1-2.
   CHECK(touched(mesh, &domain, "45deg") == std::vector<bool>(6, false));
@@ -48,7 +45,7 @@ TEST_CASE("simplices with a vertex on each of two segments that meet at a sharp 
 TEST_CASE("a vertex that was rounded off a segment is on it within the distance") {
   std::vector<Point> rounded = kCorner;
   rounded[4] = {4, Rational(401, 100)};
-  const Mesh mesh = fan_of(rounded, kInCorner);
+  const Mesh mesh = listed_mesh(rounded, kInCorner);
   const Domain domain = corner_domain();
   CHECK(touched(mesh, &domain, "46deg") ==
         std::vector<bool>{true, false, false, true, false, true});
@@ -59,18 +56,18 @@ TEST_CASE("a vertex that was rounded off a segment is on it within the distance"
 }
 
 TEST_CASE("without a domain the boundary of the mesh has the sharp angles") {
-  const Mesh mesh = fan_of(kCorner, kInCorner);
+  const Mesh mesh = listed_mesh(kCorner, kInCorner);
   // Boundary edges 0-1 and 0-4 meet at 45 degrees, and 3-4 and 3-6.
   CHECK(touched(mesh, nullptr, "46deg") == std::vector<bool>{true, true, false, true, false, true});
   CHECK(touched(mesh, nullptr, "45deg") == std::vector<bool>(6, false));
   // A flat simplex is set apart, and closes nothing.
   std::vector<Simplex> with_flat = kInCorner;
   with_flat.push_back({0, 1, 2});
-  std::vector<bool> same = touched(fan_of(kCorner, with_flat), nullptr, "46deg");
+  std::vector<bool> same = touched(listed_mesh(kCorner, with_flat), nullptr, "46deg");
   same.pop_back();
   CHECK(same == std::vector<bool>{true, true, false, true, false, true});
-  const Mesh corner =
-      fan_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
+  const Mesh corner = listed_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}},
+                                  {{0, 1, 2, 3}, {1, 2, 3, 4}});
   CHECK(touched(corner, nullptr, "10deg") == std::vector<bool>{false, false});
   CHECK(touched(corner, nullptr, "91deg") == std::vector<bool>{true, true});
 }
@@ -86,7 +83,7 @@ TEST_CASE("polygons meet at a sharp angle along their common edge") {
   std::vector<Point> points = input.points;
   points.push_back({3, 2, 1});
   const Mesh mesh =
-      fan_of(points, {{0, 1, 2, 6}, {0, 1, 4, 6}, {2, 4, 5, 6}, {2, 3, 5, 6}, {1, 3, 5, 6}});
+      listed_mesh(points, {{0, 1, 2, 6}, {0, 1, 4, 6}, {2, 4, 5, 6}, {2, 3, 5, 6}, {1, 3, 5, 6}});
   // Corners of 45 degrees of the two triangles have segments for sides.
   CHECK(touched(mesh, &domain, "44deg") == std::vector<bool>(5, false));
   const std::vector<bool> at_wedge = touched(mesh, &domain, "46deg");

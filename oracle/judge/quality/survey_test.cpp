@@ -12,20 +12,13 @@
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/definition/quality.hpp"
 #include "oracle/judge/quality/topology.hpp"
+#include "oracle/model/listed_mesh_test.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::quality {
 namespace {
 
 using generators::Dice;
-
-Mesh listed(std::vector<Point> points, std::vector<Simplex> simplices) {
-  const std::size_t dimension = points.front().size();
-  Mesh mesh;
-  mesh.coordinates = numbers_of(points, dimension);
-  mesh.simplices = IndexLists(std::move(simplices));
-  return mesh;
-}
 
 // Triangles or tetrahedra on a small grid, or on one of numbers that are rounded.
 Mesh drawn_mesh(Dice& dice) {
@@ -45,7 +38,7 @@ Mesh drawn_mesh(Dice& dice) {
       simplex.push_back(static_cast<Vertex>(dice.below(dice.below(30) == 0 ? 9 : 7)));
     }
   }
-  return listed(std::move(points), std::move(simplices));
+  return listed_mesh(std::move(points), std::move(simplices));
 }
 
 // What the definition measures of each simplex, by its place.
@@ -124,7 +117,7 @@ TEST_CASE(
       simplices.push_back({a, b + 1, b});
     }
   }
-  const Mesh mesh = listed(points, simplices);
+  const Mesh mesh = listed_mesh(points, simplices);
   for (const unsigned threads : {1U, 3U}) {
     const Survey found = survey(mesh, threads);
     REQUIRE(found.extremes.size() == 10);
@@ -146,7 +139,7 @@ TEST_CASE("of a mesh that is listed a thousand times over each bin has a thousan
     for (std::size_t i = 0; i < kTimes; ++i) {
       for (std::size_t s = 0; s < once.simplices.size(); ++s) often.push_back(once.simplices[s]);
     }
-    const Survey one = survey(once, 1), many = survey(listed(once.exact_points(), often), 2);
+    const Survey one = survey(once, 1), many = survey(listed_mesh(once.exact_points(), often), 2);
     CHECK(many.measured == kTimes * one.measured);
     CHECK(many.set_apart == kTimes * one.set_apart);
     REQUIRE(many.extremes.size() == one.extremes.size());
@@ -163,7 +156,7 @@ TEST_CASE("of a mesh that is listed a thousand times over each bin has a thousan
 }
 
 TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a thick shell") {
-  const Topology ring = topology(listed(
+  const Topology ring = topology(listed_mesh(
       {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}, {5, 6}, {-6, 5}, {-5, -6}, {6, -5}},
       {{0, 4, 5}, {0, 5, 1}, {1, 5, 6}, {1, 6, 2}, {2, 6, 7}, {2, 7, 3}, {3, 7, 4}, {3, 4, 0}}));
   CHECK(ring.faces == std::vector<std::size_t>{8, 16, 8});
@@ -172,11 +165,12 @@ TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a th
   CHECK(ring.boundary_parts == 2);
   CHECK(ring.genus == std::size_t{0});
   const std::vector<Point> corner = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const Topology sphere = topology(listed(corner, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}));
+  const Topology sphere =
+      topology(listed_mesh(corner, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}));
   CHECK(sphere.euler_characteristic == 2);
   CHECK(sphere.boundary_parts == 0);
   CHECK(sphere.genus == std::size_t{0});
-  const Topology ball = topology(listed(corner, {{0, 1, 2, 3}, {0, 1, 2, 2}, {0, 1, 2, 7}}));
+  const Topology ball = topology(listed_mesh(corner, {{0, 1, 2, 3}, {0, 1, 2, 2}, {0, 1, 2, 7}}));
   CHECK(ball.faces == std::vector<std::size_t>{4, 6, 4, 1});
   CHECK(ball.euler_characteristic == 1);
   CHECK(ball.boundary_parts == 1);
@@ -192,25 +186,25 @@ TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a th
       torus.push_back({b, c, d});
     }
   }
-  const Topology one_handle = topology(listed(around, torus));
+  const Topology one_handle = topology(listed_mesh(around, torus));
   CHECK(one_handle.euler_characteristic == 0);
   CHECK(one_handle.boundary_parts == 0);
   CHECK(one_handle.genus == std::size_t{1});
   const Topology strip =
-      topology(listed(around, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}));
+      topology(listed_mesh(around, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}));
   CHECK(strip.euler_characteristic == 0);
   CHECK(strip.boundary_parts == 1);
   CHECK(!strip.genus);  // it has one side only
-  const Topology two_strips = topology(listed(around, {{0, 1, 2},
-                                                       {1, 2, 3},
-                                                       {2, 3, 4},
-                                                       {3, 4, 0},
-                                                       {4, 0, 1},
-                                                       {5, 6, 7},
-                                                       {6, 7, 8},
-                                                       {7, 8, 9},
-                                                       {8, 9, 5},
-                                                       {9, 5, 6}}));
+  const Topology two_strips = topology(listed_mesh(around, {{0, 1, 2},
+                                                            {1, 2, 3},
+                                                            {2, 3, 4},
+                                                            {3, 4, 0},
+                                                            {4, 0, 1},
+                                                            {5, 6, 7},
+                                                            {6, 7, 8},
+                                                            {7, 8, 9},
+                                                            {8, 9, 5},
+                                                            {9, 5, 6}}));
   CHECK(two_strips.boundary_parts == 2);
   CHECK(!two_strips.genus);  // which as two surfaces with two sides would be 1
 }
@@ -289,7 +283,7 @@ TEST_CASE("topology: handles are as many as the definition has, if the surface h
         if (std::count_if(surface.begin(), surface.end(), has_it) == 1) expected.reset();
       }
     }
-    CHECK(topology(listed(points, some)).genus == expected);
+    CHECK(topology(listed_mesh(points, some)).genus == expected);
     ++seen[expected];
   }
   CHECK(seen[std::nullopt] > 100);
@@ -297,12 +291,13 @@ TEST_CASE("topology: handles are as many as the definition has, if the surface h
 }
 
 TEST_CASE("sizes are exact where they are rational, and correctly rounded elsewhere") {
-  const Mesh corner = listed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+  const Mesh corner = listed_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
   CHECK(size_of(corner).exact == Rational(1, 6));
   CHECK(size_of(corner).decimal == "0.16666666666666666");
   CHECK(!size_of_boundary(corner).exact);
   CHECK(size_of_boundary(corner).decimal == "2.366025403784439");  // 3/2 + √3/2
-  const Mesh square = listed({{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 9}});
+  const Mesh square =
+      listed_mesh({{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 9}});
   CHECK(size_of(square).exact == Rational(3));
   CHECK(size_of_boundary(square).decimal == "8");
 }
