@@ -11,20 +11,21 @@
 #include <zlib.h>
 
 #include "kernel/exact/number_text.hpp"
+#include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/medit.hpp"
+#include "oracle/formats/nastran.hpp"
+#include "oracle/formats/su2.hpp"
 #include "oracle/formats/tet.hpp"
+#include "oracle/formats/ucd.hpp"
+#include "oracle/formats/unv.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
+#include "oracle/formats/written_decks_test.hpp"
+#include "oracle/formats/xdmf.hpp"
 
 namespace circumspect::formats {
-
-// Points of space by their coordinates, cells by their vertices from 0: of 2, 3 or 4.
-struct WrittenMesh {
-  std::vector<std::vector<double>> points;
-  std::vector<std::vector<int>> cells;
-};
 
 // A file as some program writes the mesh.
 struct WrittenForm {
@@ -371,33 +372,46 @@ inline std::vector<WrittenForm> all_forms(const WrittenMesh& mesh) {
     write(out, elements);
     return out.str();
   };
-  return {{"medit", ".mesh", true, ours(write_medit)},
-          {"gmsh, ours", ".msh", true, ours(write_gmsh)},
-          {"gmsh 2.2", ".msh", true, gmsh_2(mesh, {})},
-          {"gmsh 2.2, little-endian", ".msh", true, gmsh_2(mesh, kLittleEndian)},
-          {"gmsh 2.2, big-endian", ".msh", true, gmsh_2(mesh, kBigEndian)},
-          {"gmsh 4.0", ".msh", true, gmsh_4_0(mesh, {})},
-          {"gmsh 4.0, little-endian", ".msh", true, gmsh_4_0(mesh, kLittleEndian)},
-          {"gmsh 4.0, big-endian", ".msh", true, gmsh_4_0(mesh, kBigEndian)},
-          {"gmsh 4.1", ".msh", true, gmsh_4(mesh, {})},
-          {"gmsh 4.1, little-endian", ".msh", true, gmsh_4(mesh, kLittleEndian)},
-          {"gmsh 4.1, big-endian", ".msh", true, gmsh_4(mesh, kBigEndian)},
-          {"vtk 3", ".vtk", true, vtk_legacy(mesh, false, false)},
-          {"vtk 3, binary", ".vtk", true, vtk_legacy(mesh, true, false)},
-          {"vtk 5", ".vtk", true, vtk_legacy(mesh, false, true)},
-          {"vtk 5, binary", ".vtk", true, vtk_legacy(mesh, true, true)},
-          {"vtu, ours", ".vtu", true, ours(write_vtu)},
-          {"vtu", ".vtu", true, vtu(mesh, {})},
-          {"vtu, inline", ".vtu", true, vtu(mesh, {kInline})},
-          {"vtu, inline, zlib", ".vtu", true, vtu(mesh, {kInline, kByZlib, kLittleEndian, 8})},
-          {"vtu, base64", ".vtu", true, vtu(mesh, {kAppendedBase64, kNot, kBigEndian, 8})},
-          {"vtu, base64, zlib", ".vtu", true, vtu(mesh, {kAppendedBase64, kByZlib})},
-          {"vtu, raw", ".vtu", true, vtu(mesh, {kAppendedRaw})},
-          {"vtu, raw, zlib", ".vtu", true, vtu(mesh, {kAppendedRaw, kByZlib, kBigEndian, 8})},
-          {"vtu, inline, lz4", ".vtu", true, vtu(mesh, {kInline, kByLz4})},
-          {"vtu, raw, lz4", ".vtu", true, vtu(mesh, {kAppendedRaw, kByLz4, kBigEndian, 8})},
-          {"tet", ".tet", false, tet(mesh, false)},
-          {"tet, binary", ".tet", false, tet(mesh, true)}};
+  std::vector<WrittenForm> forms = {
+      {"medit", ".mesh", true, ours(write_medit)},
+      {"gmsh, ours", ".msh", true, ours(write_gmsh)},
+      {"gmsh 2.2", ".msh", true, gmsh_2(mesh, {})},
+      {"gmsh 2.2, little-endian", ".msh", true, gmsh_2(mesh, kLittleEndian)},
+      {"gmsh 2.2, big-endian", ".msh", true, gmsh_2(mesh, kBigEndian)},
+      {"gmsh 4.0", ".msh", true, gmsh_4_0(mesh, {})},
+      {"gmsh 4.0, little-endian", ".msh", true, gmsh_4_0(mesh, kLittleEndian)},
+      {"gmsh 4.0, big-endian", ".msh", true, gmsh_4_0(mesh, kBigEndian)},
+      {"gmsh 4.1", ".msh", true, gmsh_4(mesh, {})},
+      {"gmsh 4.1, little-endian", ".msh", true, gmsh_4(mesh, kLittleEndian)},
+      {"gmsh 4.1, big-endian", ".msh", true, gmsh_4(mesh, kBigEndian)},
+      {"vtk 3", ".vtk", true, vtk_legacy(mesh, false, false)},
+      {"vtk 3, binary", ".vtk", true, vtk_legacy(mesh, true, false)},
+      {"vtk 5", ".vtk", true, vtk_legacy(mesh, false, true)},
+      {"vtk 5, binary", ".vtk", true, vtk_legacy(mesh, true, true)},
+      {"vtu, ours", ".vtu", true, ours(write_vtu)},
+      {"vtu", ".vtu", true, vtu(mesh, {})},
+      {"vtu, inline", ".vtu", true, vtu(mesh, {kInline})},
+      {"vtu, inline, zlib", ".vtu", true, vtu(mesh, {kInline, kByZlib, kLittleEndian, 8})},
+      {"vtu, base64", ".vtu", true, vtu(mesh, {kAppendedBase64, kNot, kBigEndian, 8})},
+      {"vtu, base64, zlib", ".vtu", true, vtu(mesh, {kAppendedBase64, kByZlib})},
+      {"vtu, raw", ".vtu", true, vtu(mesh, {kAppendedRaw})},
+      {"vtu, raw, zlib", ".vtu", true, vtu(mesh, {kAppendedRaw, kByZlib, kBigEndian, 8})},
+      {"vtu, inline, lz4", ".vtu", true, vtu(mesh, {kInline, kByLz4})},
+      {"vtu, raw, lz4", ".vtu", true, vtu(mesh, {kAppendedRaw, kByLz4, kBigEndian, 8})},
+      {"tet", ".tet", false, tet(mesh, false)},
+      {"tet, binary", ".tet", false, tet(mesh, true)},
+      {"su2", ".su2", true, su2(mesh, false)},
+      {"su2, with indices", ".su2", true, su2(mesh, true)},
+      {"ucd", ".avs", true, ucd(mesh)}};
+  if (mesh.cells.empty()) return forms;  // decks have some
+  forms.insert(forms.end(), {{"nastran", ".bdf", true, nastran(mesh, false)},
+                             {"nastran, in columns", ".bdf", true, nastran(mesh, true)},
+                             {"abaqus", ".inp", true, abaqus(mesh, false)},
+                             {"abaqus, over lines", ".inp", true, abaqus(mesh, true)},
+                             {"unv", ".unv", true, unv(mesh, false)},
+                             {"unv, old", ".unv", true, unv(mesh, true)},
+                             {"xdmf", ".xdmf", true, xdmf(mesh)}});
+  return forms;
 }
 
 inline Result<ElementFile> read_form(const WrittenForm& form, NumberReading reading) {
@@ -406,6 +420,12 @@ inline Result<ElementFile> read_form(const WrittenForm& form, NumberReading read
   if (form.extension == ".msh") return read_gmsh(source, reading);
   if (form.extension == ".vtk") return read_vtk(source, reading);
   if (form.extension == ".vtu") return read_vtu(source, reading);
+  if (form.extension == ".su2") return read_su2(source, reading);
+  if (form.extension == ".avs") return read_ucd(source, reading);
+  if (form.extension == ".bdf") return read_nastran(source, reading);
+  if (form.extension == ".inp") return read_abaqus(source, reading);
+  if (form.extension == ".unv") return read_unv(source, reading);
+  if (form.extension == ".xdmf") return read_xdmf(source, reading);
   return read_tet(source, reading);
 }
 
