@@ -137,6 +137,32 @@ ListedHull wound_twice(std::size_t d) {
   return star;
 }
 
+// Two quadrilaterals of eight points in convex position. Seen from the centre of the first three,
+// the middle of the first side is just before a corner of the other one.
+ListedHull two_quadrilaterals() {
+  ListedHull both{{{12, 0}, {0, 12}, {-12, 0}, {0, -12}, {9, 7}, {-9, 9}, {-9, -9}, {9, -9}}, {}};
+  for (Vertex v = 0; v < 8; ++v) both.facets.push_back({v, v / 4 * 4 + (v + 1) % 4});
+  return both;
+}
+
+// The same hull seen in a mirror, with everything numbered from the other end.
+ListedHull turned_round(ListedHull hull) {
+  std::reverse(hull.points.begin(), hull.points.end());
+  for (Point& point : hull.points) point = Rational(-1) * point;
+  std::reverse(hull.facets.begin(), hull.facets.end());
+  const auto count = static_cast<Vertex>(hull.points.size());
+  for (Simplex& facet : hull.facets) {
+    for (Vertex& v : facet) v = count - 1 - v;
+  }
+  return hull;
+}
+
+std::map<Rule, std::size_t> counts(const Verdict& verdict) {
+  std::map<Rule, std::size_t> counts;
+  for (const auto& [rule, tally] : verdict.tallies()) counts[rule] = tally.count;
+  return counts;
+}
+
 std::string text(const Verdict& verdict, const Mesh& mesh) {
   return report::explanation(verdict, mesh) + report::verdict_line(verdict, mesh, "m");
 }
@@ -150,7 +176,10 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
   CHECK(holds("by lemma as by definition, and as by the judge of arrays", inputs, [&, d] {
     Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
     const bool is_star = (d == 2 || d == 3) && dice.below(40) == 0;
-    ListedHull hull = is_star ? wound_twice(d) : drawn_hull(dice, d);
+    const bool is_double = d == 2 && is_star && dice.below(2) == 0;
+    ListedHull hull = is_double ? two_quadrilaterals()
+                      : is_star ? wound_twice(d)
+                                : drawn_hull(dice, d);
     for (std::size_t faults = dice.below(3); faults > 0; --faults) break_once(dice, hull);
     lift(dice, hull);
     const ExactMesh listed{PointSet(hull.points), hull.facets};
@@ -167,6 +196,13 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     RC_ASSERT(text(by_lemma, mesh) == text(judged(true), mesh));
     const Verdict of_arrays = check::judge(Claim::kConvexHull, mesh, nullptr, options).value();
     RC_ASSERT(text(of_arrays, mesh) == text(by_lemma, mesh));
+    if (dice.below(4) == 0) {
+      const ListedHull turned = turned_round(hull);
+      const ExactMesh other{PointSet(turned.points), turned.facets};
+      const Verdict again =
+          check::judge_convex_hull(other, options.hull, options.oriented, false, 0);
+      RC_ASSERT(counts(again) == counts(by_lemma));
+    }
     seen.held += by_lemma.holds() ? 1 : 0;
     seen.held_with_more += by_lemma.holds() && !check::unused_points(listed).empty() ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];

@@ -1,6 +1,9 @@
 // The claim `voronoi`: by lemma and by definition the same is said, word for word, of diagrams that
 // are exact, rounded, or broken, in the plane and in space. Proof: docs/theory/questions.md.
+#include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <doctest/doctest.h>
@@ -8,8 +11,12 @@
 #include "inputs/dice.hpp"
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/circumball.hpp"
+#include "oracle/judge/definition/voronoi.hpp"
+#include "oracle/judge/definition/voronoi_structure.hpp"
+#include "oracle/judge/voronoi/clipped_cell.hpp"
 #include "oracle/judge/voronoi/judge_structure.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
+#include "oracle/judge/voronoi/sites_around.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/arguments/run.hpp"
@@ -131,6 +138,86 @@ void break_once(Dice& dice, VoronoiDiagram& diagram) {
   }
 }
 
+// The same diagram seen in a mirror, with everything numbered from the other end.
+VoronoiDiagram turned_round(const VoronoiDiagram& diagram) {
+  const auto mirrored = [](std::vector<Point> points) {
+    std::reverse(points.begin(), points.end());
+    for (Point& point : points) point = Rational(-1) * point;
+    return points;
+  };
+  const auto from_end = [](Vertex& v, std::size_t count) {
+    if (v >= 0 && v < static_cast<Vertex>(count)) v = static_cast<Vertex>(count) - 1 - v;
+  };
+  VoronoiDiagram other = diagram;
+  other.sites = PointSet(mirrored(diagram.sites.points()));
+  other.vertices = mirrored(diagram.vertices);
+  for (auto* const list : {&other.cells, &other.ridges}) {
+    std::reverse(list->begin(), list->end());
+    for (ListedCell& cell : *list) {
+      for (Vertex& v : cell.corners) from_end(v, diagram.vertices.size());
+    }
+  }
+  std::reverse(other.neighbors.begin(), other.neighbors.end());
+  for (auto& [a, b] : other.neighbors) {
+    from_end(a, diagram.sites.size());
+    from_end(b, diagram.sites.size());
+  }
+  return other;
+}
+
+std::map<Rule, std::size_t> counts(const Verdict& verdict) {
+  std::map<Rule, std::size_t> counts;
+  for (const auto& [rule, tally] : verdict.tallies()) counts[rule] = tally.count;
+  return counts;
+}
+
+// What a diagram's structure is at the distance 0: points of the open box stand for themselves, and
+// everything else for one end.
+using ExactEnds = std::set<std::optional<Point>>;
+std::optional<Point> exact_end(const JudgedBox& box, const Point& point) {
+  for (std::size_t axis = 0; axis < point.size(); ++axis) {
+    if (point[axis] <= box.low[axis] || point[axis] >= box.high[axis]) return std::nullopt;
+  }
+  return point;
+}
+
+bool has_exact_structure(const VoronoiDiagram& diagram, const JudgedBox& box,
+                         const definition::VoronoiStructure& exact) {
+  const std::size_t d = diagram.sites.ambient_dimension();
+  ExactEnds vertices, listed;
+  for (const auto& [centre, nearest] : exact.vertices) vertices.insert(exact_end(box, centre));
+  for (const Point& vertex : diagram.vertices) listed.insert(exact_end(box, vertex));
+  vertices.insert(std::nullopt);
+  listed.insert(std::nullopt);
+  if (vertices != listed) return false;
+  std::map<std::array<Vertex, 2>, ExactEnds> own;
+  for (const auto& [pair, ridge] : exact.ridges) {
+    for (const Point& end : ridge.ends) own[pair].insert(exact_end(box, end));
+    if (ridge.leaves_box) own[pair].insert(std::nullopt);
+  }
+  std::set<std::array<Vertex, 2>> pairs;
+  for (std::size_t r = 0; r < diagram.ridges.size(); ++r) {
+    const auto& [a, b] = diagram.neighbors[r];
+    const std::array<Vertex, 2> pair = {std::min(a, b), std::max(a, b)};
+    pairs.insert(pair);
+    ExactEnds ends;
+    bool are_of_both = true;
+    for (const Vertex v : diagram.ridges[r].corners) {
+      const auto end = exact_end(box, diagram.vertices[static_cast<std::size_t>(v)]);
+      ends.insert(end);
+      if (!end) continue;
+      const Simplex& nearest = exact.vertices.at(*end);
+      are_of_both = are_of_both && contains(nearest, a) && contains(nearest, b);
+    }
+    if (diagram.ridges[r].is_unbounded) ends.insert(std::nullopt);
+    const bool is_small = ends.size() < d && own[pair].size() < d;
+    if (ends != own[pair] && !(is_small && (ends.size() < 2 || are_of_both))) return false;
+  }
+  return std::all_of(own.begin(), own.end(), [&](const auto& ridge) {
+    return ridge.second.size() < d || pairs.contains(ridge.first);
+  });
+}
+
 std::string text(const Verdict& verdict, const Mesh& sites) {
   return report::explanation(verdict, sites) + report::verdict_line(verdict, sites, "m");
 }
@@ -171,6 +258,12 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     const Verdict by_definition =
         check::judge_voronoi(diagram, box, allowed, true, 0, has_structure);
     RC_ASSERT(text(by_lemma, names) == text(by_definition, names));
+    std::optional<JudgedBox> turned_box;
+    if (box) turned_box = JudgedBox{Rational(-1) * box->high, Rational(-1) * box->low};
+    const Verdict turned =
+        check::judge_voronoi(turned_round(diagram), turned_box, allowed, false, 0, has_structure);
+    RC_ASSERT(counts(turned) == counts(by_lemma));
+    RC_ASSERT(turned.voronoi->squared_distance == by_lemma.voronoi->squared_distance);
     if (faults == 0) {
       RC_ASSERT(by_lemma.holds());
       RC_ASSERT(!by_lemma.voronoi->site);
@@ -192,6 +285,73 @@ TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram
     CAPTURE(identifier(rule));
     CHECK(occurs(seen.broken[rule]));
   }
+}
+
+TEST_CASE("voronoi: no site that is far away is forgotten where it cuts a cell") {
+  for (const std::size_t d : {2u, 3u}) {
+    Dice dice(d);
+    std::set<Point> points;
+    while (points.size() < (d == 2 ? 40 : 20)) {
+      Point point;
+      for (std::size_t axis = 0; axis < d; ++axis) point.push_back(dice.within(0L, 99L));
+      points.insert(point);
+    }
+    const PointSet sites({points.begin(), points.end()});
+    const JudgedBox box = default_box(sites);
+    const check::SitesAround around(sites, box);
+    for (Vertex site = 0; sites.names(site); ++site) {
+      check::ClippedCell cell(box);
+      for (Vertex other = 0; sites.names(other); ++other) {
+        if (other != site) cell.cut(definition::nearer_to(sites, site, other));
+      }
+      CHECK(around.corners_of_cell(site) == cell.corners());
+    }
+  }
+}
+
+// A ridge with another end, without one of its ends, or unbounded and not.
+std::vector<VoronoiDiagram> with_ridge_changed(const VoronoiDiagram& diagram, std::size_t r) {
+  std::vector<VoronoiDiagram> changed(1, diagram);
+  changed[0].ridges[r].is_unbounded = !diagram.ridges[r].is_unbounded;
+  for (std::size_t i = 0; i < diagram.ridges[r].corners.size(); ++i) {
+    changed.push_back(diagram);
+    std::vector<Vertex>& corners = changed.back().ridges[r].corners;
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+    changed.push_back(diagram);
+    changed.back().ridges[r].corners.push_back(static_cast<Vertex>(v));
+  }
+  return changed;
+}
+
+// On a grid many sites are on one circle, so there are ridges of a single point.
+TEST_CASE("voronoi: at the distance 0 a ridge has the ends that it should have, and no others") {
+  std::array<std::size_t, 2> seen = {};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Dice dice(seed);
+    std::set<Point> points;
+    while (points.size() < 6) points.insert({dice.within(0L, 2L), dice.within(0L, 2L)});
+    const VoronoiDiagram diagram = exact_diagram(PointSet({points.begin(), points.end()}));
+    const JudgedBox box = default_box(diagram.sites);
+    const auto exact = definition::exact_structure(diagram.sites, box);
+    const auto holds = [&](const VoronoiDiagram& other) {
+      Verdict verdict(Claim::kVoronoi, 0);
+      verdict.voronoi.emplace();
+      check::judge_structure(other, box, 0, exact, false, verdict);
+      return verdict.holds();
+    };
+    CHECK(holds(diagram));
+    for (std::size_t r = 0; r < diagram.ridges.size(); ++r) {
+      for (const VoronoiDiagram& other : with_ridge_changed(diagram, r)) {
+        const bool is_exact = has_exact_structure(other, box, exact);
+        CHECK(holds(other) == is_exact);
+        ++seen[is_exact ? 1 : 0];
+      }
+    }
+  }
+  CHECK(seen[0] > 50);
+  CHECK(seen[1] > 50);
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ TEST_CASE("su2: markers of periodic boundaries list vertices that are sent") {
   CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
   CHECK(su2_error(plane + sent) ==
         "f:12: expected element of a marker 2 of 2, found the end of the file");
+  CHECK(su2_error(plane + sent + "SEND_TO= 1\n1 2 1\n") ==
+        "f:13: expected the type of an element of a marker, an integer, found \"SEND_TO=\"");
 }
 
 TEST_CASE("su2: zones are one mesh, each with indices of its own") {
@@ -201,6 +203,9 @@ TEST_CASE("abaqus: faults and their lines") {
         "f:1: expected a type of elements that is known, as TYPE=C3D4, found none");
   CHECK(abaqus_error("*Element, type=C3D4\n1, 1, 2, 3\n") ==
         "f:2: expected a tetrahedron of 4 nodes, found 3");
+  // Without a comma at its end, a line takes nothing from the next one.
+  CHECK(abaqus_error("*Node\n1, 0\n2, 1\n*Element, type=T3D2\n1, 1\n2\n") ==
+        "f:5: expected an edge of 2 nodes, found 1");
   CHECK(abaqus_error("*Element, type=C3D4\n1, 1, 2, 3, 4, 5\n") ==
         "f:2: expected a tetrahedron of 4 nodes, found 5");
   CHECK(abaqus_error("*Part, name=a\n*Part, name=b\n") ==
@@ -280,6 +285,10 @@ TEST_CASE("ucd: faults and their lines") {
         "f:3: expected pt, line, tri, quad, tet, pyr, prism or hex, found \"cube\"");
   CHECK(error("1 1 0 0 0\n1 0 0 0\n1 0 tri 1 1\n") ==
         "f:3: expected 3 vertices, or 6 of second order, found 2");
+  CHECK(error("1 0 0 0 0\n1 0 0 0\n1 0 pt 1\n") ==
+        "f:3: expected the end of the file, since no data is announced, found \"1\"");
+  CHECK(error("1 0 1 0 0\n1 0 0 0\n1 0 pt 1\n") ==
+        "f:3: expected the sizes of 1 components of data, found 3");
   CHECK(error("2 0 0 0 0\n1 0 0 0\n1 0 0 0\n") ==
         "f: expected a tag of its own for each node, found tag 1 twice");
 }

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
@@ -104,6 +105,30 @@ std::string bytes_of_vertices(const IntegerType& type, Vertex last, ByteOrder or
          stored(static_cast<std::uint64_t>(last), type.size, order);
 }
 
+// The same in XDMF, with the bytes in a file beside it.
+void check_in_xdmf(const IntegerType& type, const std::string& bytes, ByteOrder order,
+                   const Simplex& expected) {
+  if (type.size == 2) return;  // it has no such type
+  const ScratchFolder folder;
+  const std::string name =
+      std::string(type.is_signed ? "" : "U") + (type.size > 1 ? "Int" : "Char");
+  const Source source{folder.path("x.xdmf"),
+                      "<Xdmf><Domain><Grid><Geometry><DataItem Dimensions=\"0 3\"/></Geometry>"
+                      "<Topology Type=\"Triangle\"><DataItem Dimensions=\"1 3\" NumberType=\"" +
+                          name + "\" Precision=\"" + std::to_string(type.size) +
+                          "\" Format=\"Binary\" Endian=\"" +
+                          (order == ByteOrder::kBigEndian ? "Big" : "Little") +
+                          "\">cells.bin</DataItem></Topology></Grid></Domain></Xdmf>"};
+  folder.write("cells.bin", bytes);
+  const auto read = read_xdmf(source, kDouble);
+  REQUIRE_MESSAGE(read, error_of(read));
+  CHECK(read->triangles.simplices == std::vector<Simplex>{expected});
+  for (const std::string& other : {bytes.substr(1), bytes + "\1"}) {
+    folder.write("cells.bin", other);
+    CHECK(!read_xdmf(source, kDouble));
+  }
+}
+
 // What the readers make of a triangle 0, 1 and `last`.
 void check_last_vertex(const IntegerType& type, Vertex last) {
   CAPTURE(type.of_legacy);
@@ -114,6 +139,7 @@ void check_last_vertex(const IntegerType& type, Vertex last) {
     const auto xml = read_vtu(named(vtu_with(type.of_xml, bytes, order)), kDouble);
     REQUIRE_MESSAGE(xml, error_of(xml));
     CHECK(xml->triangles.simplices == std::vector<Simplex>{expected});
+    check_in_xdmf(type, bytes, order, expected);
     const std::string header = std::string("{'descr': '") +
                                (order == ByteOrder::kBigEndian ? ">" : "<") + type.of_numpy +
                                "', 'fortran_order': False, 'shape': (1, 3), }";

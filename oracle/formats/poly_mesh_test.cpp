@@ -5,9 +5,11 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/dice.hpp"
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -74,7 +76,135 @@ std::string foam_error_with(std::string FoamFiles::*file, const std::string& tex
   return FoamCase(files).error();
 }
 
+// How a list is stored.
+struct FoamForm {
+  std::optional<ByteOrder> binary = {};
+  std::size_t label = 4, scalar = 8;
+  bool is_compact = false;  // its faces
+  bool is_padded = false;   // its neighbours, up to the number of faces
+
+  std::string header(const std::string& of_class) const {
+    const auto bits = [](std::size_t bytes) { return std::to_string(8 * bytes); };
+    return foam_header(of_class, binary ? "binary" : "ascii",
+                       std::string(binary == ByteOrder::kBigEndian ? "MSB" : "LSB") +
+                           ";label=" + bits(label) + ";scalar=" + bits(scalar));
+  }
+  std::string list(const std::vector<Vertex>& labels) const {
+    std::string text = std::to_string(labels.size()) + "(";
+    for (const Vertex v : labels) {
+      text +=
+          binary ? stored(static_cast<std::uint64_t>(v), label, *binary) : std::to_string(v) + " ";
+    }
+    return text + ")\n";
+  }
+  std::string coordinate(long x) const {
+    if (!binary) return std::to_string(x) + " ";
+    return scalar == 8 ? stored(std::bit_cast<std::uint64_t>(static_cast<double>(x)), 8, *binary)
+                       : stored(std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4, *binary);
+  }
+  std::string faces(const std::vector<Simplex>& faces) const {
+    if (is_compact) {
+      std::vector<Vertex> begins = {0}, all;
+      for (const Simplex& face : faces) {
+        all.insert(all.end(), face.begin(), face.end());
+        begins.push_back(static_cast<Vertex>(all.size()));
+      }
+      return header("faceCompactList") + list(begins) + list(all);
+    }
+    std::string text = header("faceList") + std::to_string(faces.size()) + "\n(\n";
+    for (const Simplex& face : faces) text += list(face);
+    return text + ")\n";
+  }
+};
+
+Simplex on_moment_curve(Vertex t) { return {t, t * t, t * t * t}; }
+
+// Tetrahedra of four points that follow one another on the moment curve, in any order, by their
+// faces, those between two cells first.
+struct FoamChain {
+  FoamChain(generators::Dice& dice, Vertex count) {
+    for (Vertex c = 0; c < count; ++c) cells.push_back({c, c + 1, c + 2, c + 3});
+    for (std::size_t i = cells.size(); i > 1; --i) std::swap(cells[i - 1], cells[dice.below(i)]);
+    std::vector<std::size_t> opposite = {0, 1, 2, 3};
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      std::rotate(opposite.begin(), opposite.begin() + dice.within(0, 3), opposite.end());
+      for (const std::size_t place : opposite) add_face(c, place);
+    }
+    faces = inside;
+    faces.insert(faces.end(), boundary.begin(), boundary.end());
+    owners.insert(owners.end(), boundary_owners.begin(), boundary_owners.end());
+  }
+  FoamFiles files(const FoamForm& form) const {
+    std::string points = form.header("vectorField") + std::to_string(cells.size() + 3) + "\n(";
+    for (Vertex v = 0; v < std::ssize(cells) + 3; ++v) {
+      points += form.binary ? "" : "(";
+      for (const Vertex x : on_moment_curve(v)) points += form.coordinate(x);
+      points += form.binary ? "" : ")";
+    }
+    std::vector<Vertex> across = neighbours;
+    if (form.is_padded) across.resize(faces.size(), -1);
+    return {points + ")\n", form.faces(faces), form.header("labelList") + form.list(owners),
+            form.header("labelList") + form.list(across)};
+  }
+
+  std::vector<Simplex> cells, faces, inside, boundary;
+  std::vector<Vertex> owners, boundary_owners, neighbours;
+
+ private:
+  // Seen from its owner, which comes first, it goes around clockwise.
+  void add_face(std::size_t cell, std::size_t place) {
+    Simplex face = facet_opposite(cells[cell], place);
+    if (place % 2 == 1) std::swap(face[0], face[1]);
+    for (std::size_t other = 0; other < cells.size(); ++other) {
+      if (other == cell || !has_face(cells[other], sorted(face))) continue;
+      if (other < cell) return;
+      inside.push_back(face);
+      owners.push_back(static_cast<Vertex>(cell));
+      neighbours.push_back(static_cast<Vertex>(other));
+      return;
+    }
+    boundary.push_back(face);
+    boundary_owners.push_back(static_cast<Vertex>(cell));
+  }
+};
+
+std::vector<Simplex> each_sorted(std::vector<Simplex> simplices) {
+  for (Simplex& simplex : simplices) std::sort(simplex.begin(), simplex.end());
+  std::sort(simplices.begin(), simplices.end());
+  return simplices;
+}
+
 }  // namespace
+
+TEST_CASE("openfoam: a mesh has the same cells in every form, and all are positively oriented") {
+  std::vector<FoamForm> forms = {{}, {.is_compact = true}, {.is_padded = true}};
+  for (const ByteOrder order : {ByteOrder::kLittleEndian, ByteOrder::kBigEndian}) {
+    for (const std::size_t label : {4U, 8U}) {
+      for (const std::size_t scalar : {4U, 8U}) {
+        forms.push_back({order, label, scalar, true, label == scalar});
+      }
+    }
+  }
+  generators::Dice dice(1);
+  for (const FoamForm& form : forms) {
+    for (const Vertex count : {1, 2, 3, 6}) {
+      const FoamChain chain(dice, count);
+      const FoamCase mesh(chain.files(form));
+      const auto file = read_poly_mesh({mesh.path, ""}, kDouble);
+      REQUIRE_MESSAGE(file, error_of(file));
+      CHECK(each_sorted(file->tetrahedra.simplices.lists()) == each_sorted(chain.cells));
+      CHECK(each_sorted(file->triangles.simplices.lists()) == each_sorted(chain.boundary));
+      for (const Simplex& cell : file->tetrahedra.simplices.lists()) {
+        CHECK(!is_odd_permutation(cell));  // ascending ones are positive on the curve
+      }
+      for (Vertex v = 0; v < count + 3; ++v) {
+        const Simplex place = on_moment_curve(v);
+        const Point expected = {to_integer(place[0]), to_integer(place[1]), to_integer(place[2])};
+        CHECK(file->points.points[static_cast<std::size_t>(v)] == expected);
+      }
+    }
+  }
+}
 
 TEST_CASE("openfoam: cells of faces, owners and neighbours, as text and binary") {
   const FoamFiles binary = {
@@ -162,6 +292,10 @@ TEST_CASE("openfoam: faults, with file and line") {
         "faces:9: expected faces of the class faceCompactList in a binary file, found others");
   CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "6(0 0 0 0 1 1)") ==
         "owner: expected 7 cells, one for each face, found 6");
+  CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "8(0 0 0 0 1 1 1 1)") ==
+        "owner: expected 7 cells, one for each face, found 8");
+  CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "7(0 0 0 0 1 1 -1)") ==
+        "owner: expected a cell from 0 to 3 at face 6, found -1");
   CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "7(0 0 0 0 1 1 4)") ==
         "owner: expected a cell from 0 to 3 at face 6, found 4");
   CHECK(foam_error_with(&FoamFiles::neighbour, foam_header("labelList") + "1(2)") ==

@@ -43,6 +43,8 @@ class UcdReader {
  private:
   Status read_node(const Item& item);
   Status read_cell(const Item& item);
+  // Data is skipped; its first line stands right behind the last cell.
+  Status expect_data(bool is_there);
 
   Lines lines_;
   NumberReading reading_;
@@ -90,6 +92,16 @@ Status UcdReader::read_cell(const Item& item) {
   return {};
 }
 
+Status UcdReader::expect_data(bool is_there) {
+  if (!lines_.next()) return {};
+  if (!is_there) return lines_.fail_at(0, "the end of the file, since no data is announced");
+  const Result<std::size_t> components = lines_.count(0, "the number of components of data");
+  if (!components) return tl::unexpected(components.error());
+  if (lines_.size() == 1 + *components) return {};
+  return lines_.fail("the sizes of " + std::to_string(*components) + " components of data",
+                     std::to_string(lines_.size() - 1));
+}
+
 Result<ElementFile> UcdReader::read() {
   if (!lines_.next()) return lines_.fail_at(0, "the numbers of nodes, cells and data");
   if (lines_.size() != kCounts) {
@@ -111,6 +123,9 @@ Result<ElementFile> UcdReader::read() {
   for (std::size_t i = 0; status && i < counts[1]; ++i) {
     status = read_cell({"", "cell", i, counts[1]});
   }
+  // That of the model is numbers alone.
+  const bool has_data = counts[2] + counts[3] > 0;
+  if (status && (has_data || counts[4] == 0)) status = expect_data(has_data);
   if (status) status = index_by_tags(file_, std::move(tags_), lines_.file(), "at the beginning");
   if (!status) return tl::unexpected(status.error());
   finish_elements(file_);

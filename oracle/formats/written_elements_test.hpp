@@ -11,21 +11,23 @@
 #include <zlib.h>
 
 #include "kernel/exact/number_text.hpp"
+#include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/meshb.hpp"
+#include "oracle/formats/nastran.hpp"
+#include "oracle/formats/su2.hpp"
 #include "oracle/formats/tet.hpp"
+#include "oracle/formats/ucd.hpp"
+#include "oracle/formats/unv.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
+#include "oracle/formats/written_decks_test.hpp"
+#include "oracle/formats/written_meshb_test.hpp"
+#include "oracle/formats/xdmf.hpp"
 
 namespace circumspect::formats {
-
-// Points of space by their coordinates, cells by their vertices from 0: of 2, 3 or 4.
-struct WrittenMesh {
-  std::vector<std::vector<double>> points;
-  std::vector<std::vector<int>> cells;
-};
 
 // A file as some program writes the mesh.
 struct WrittenForm {
@@ -34,15 +36,6 @@ struct WrittenForm {
   bool has_faces = true;  // else it has only the tetrahedra
   std::string text = {};
 };
-
-inline std::string stored(std::uint64_t value, std::size_t size, ByteOrder order) {
-  std::string text;
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t place = order == ByteOrder::kBigEndian ? size - 1 - i : i;
-    text += static_cast<char>(static_cast<unsigned char>(value >> (8 * place)));
-  }
-  return text;
-}
 
 // Consecutive numbers: in text with a blank after each, or in binary.
 class NumberWriter {
@@ -344,35 +337,6 @@ inline std::string tet(const WrittenMesh& mesh, bool is_binary) {
   return out.text;
 }
 
-// Medit's binary form: a section Corners, which is skipped, before the elements, each in a section
-// of its own.
-inline std::string meshb(const WrittenMesh& mesh, ByteOrder order, std::size_t version) {
-  const std::size_t place = version >= 3 ? 8 : 4, integer = version >= 4 ? 8 : 4;
-  std::string text = stored(1, 4, order) + stored(version, 4, order);
-  const auto section = [&](std::size_t code, const std::string& content) {
-    const std::size_t end = text.size() + 4 + place + content.size();
-    text += stored(code, 4, order) + stored(end, place, order) + content;
-  };
-  section(3, stored(3, 4, order));
-  std::string points = stored(mesh.points.size(), integer, order);
-  for (const auto& point : mesh.points) {
-    for (const double x : point) {
-      points += version == 1 ? stored(std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4, order)
-                             : stored(std::bit_cast<std::uint64_t>(x), 8, order);
-    }
-    points += stored(9, integer, order);
-  }
-  section(4, points);
-  section(13, stored(1, integer, order) + stored(1, integer, order));
-  for (const auto& cell : mesh.cells) {
-    std::string content = stored(1, integer, order);
-    for (const int v : cell) content += stored(static_cast<std::size_t>(v) + 1, integer, order);
-    section(cell.size() == 2 ? 5 : 2 * cell.size(), content + stored(7, integer, order));
-  }
-  section(54, "");
-  return text;
-}
-
 inline ElementFile elements_of(const WrittenMesh& mesh) {
   ElementFile file;
   file.points.dimension = 3;
@@ -401,36 +365,49 @@ inline std::vector<WrittenForm> all_forms(const WrittenMesh& mesh) {
     write(out, elements);
     return out.str();
   };
-  return {{"medit", ".mesh", true, ours(write_medit)},
-          {"meshb 2", ".meshb", true, meshb(mesh, kLittleEndian, 2)},
-          {"meshb 3, big-endian", ".meshb", true, meshb(mesh, kBigEndian, 3)},
-          {"meshb 4", ".meshb", true, meshb(mesh, kLittleEndian, 4)},
-          {"gmsh, ours", ".msh", true, ours(write_gmsh)},
-          {"gmsh 2.2", ".msh", true, gmsh_2(mesh, {})},
-          {"gmsh 2.2, little-endian", ".msh", true, gmsh_2(mesh, kLittleEndian)},
-          {"gmsh 2.2, big-endian", ".msh", true, gmsh_2(mesh, kBigEndian)},
-          {"gmsh 4.0", ".msh", true, gmsh_4_0(mesh, {})},
-          {"gmsh 4.0, little-endian", ".msh", true, gmsh_4_0(mesh, kLittleEndian)},
-          {"gmsh 4.0, big-endian", ".msh", true, gmsh_4_0(mesh, kBigEndian)},
-          {"gmsh 4.1", ".msh", true, gmsh_4(mesh, {})},
-          {"gmsh 4.1, little-endian", ".msh", true, gmsh_4(mesh, kLittleEndian)},
-          {"gmsh 4.1, big-endian", ".msh", true, gmsh_4(mesh, kBigEndian)},
-          {"vtk 3", ".vtk", true, vtk_legacy(mesh, false, false)},
-          {"vtk 3, binary", ".vtk", true, vtk_legacy(mesh, true, false)},
-          {"vtk 5", ".vtk", true, vtk_legacy(mesh, false, true)},
-          {"vtk 5, binary", ".vtk", true, vtk_legacy(mesh, true, true)},
-          {"vtu, ours", ".vtu", true, ours(write_vtu)},
-          {"vtu", ".vtu", true, vtu(mesh, {})},
-          {"vtu, inline", ".vtu", true, vtu(mesh, {kInline})},
-          {"vtu, inline, zlib", ".vtu", true, vtu(mesh, {kInline, kByZlib, kLittleEndian, 8})},
-          {"vtu, base64", ".vtu", true, vtu(mesh, {kAppendedBase64, kNot, kBigEndian, 8})},
-          {"vtu, base64, zlib", ".vtu", true, vtu(mesh, {kAppendedBase64, kByZlib})},
-          {"vtu, raw", ".vtu", true, vtu(mesh, {kAppendedRaw})},
-          {"vtu, raw, zlib", ".vtu", true, vtu(mesh, {kAppendedRaw, kByZlib, kBigEndian, 8})},
-          {"vtu, inline, lz4", ".vtu", true, vtu(mesh, {kInline, kByLz4})},
-          {"vtu, raw, lz4", ".vtu", true, vtu(mesh, {kAppendedRaw, kByLz4, kBigEndian, 8})},
-          {"tet", ".tet", false, tet(mesh, false)},
-          {"tet, binary", ".tet", false, tet(mesh, true)}};
+  std::vector<WrittenForm> forms = {
+      {"medit", ".mesh", true, ours(write_medit)},
+      {"meshb 2", ".meshb", true, meshb(mesh, kLittleEndian, 2)},
+      {"meshb 3, big-endian", ".meshb", true, meshb(mesh, kBigEndian, 3)},
+      {"meshb 4", ".meshb", true, meshb(mesh, kLittleEndian, 4)},
+      {"gmsh, ours", ".msh", true, ours(write_gmsh)},
+      {"gmsh 2.2", ".msh", true, gmsh_2(mesh, {})},
+      {"gmsh 2.2, little-endian", ".msh", true, gmsh_2(mesh, kLittleEndian)},
+      {"gmsh 2.2, big-endian", ".msh", true, gmsh_2(mesh, kBigEndian)},
+      {"gmsh 4.0", ".msh", true, gmsh_4_0(mesh, {})},
+      {"gmsh 4.0, little-endian", ".msh", true, gmsh_4_0(mesh, kLittleEndian)},
+      {"gmsh 4.0, big-endian", ".msh", true, gmsh_4_0(mesh, kBigEndian)},
+      {"gmsh 4.1", ".msh", true, gmsh_4(mesh, {})},
+      {"gmsh 4.1, little-endian", ".msh", true, gmsh_4(mesh, kLittleEndian)},
+      {"gmsh 4.1, big-endian", ".msh", true, gmsh_4(mesh, kBigEndian)},
+      {"vtk 3", ".vtk", true, vtk_legacy(mesh, false, false)},
+      {"vtk 3, binary", ".vtk", true, vtk_legacy(mesh, true, false)},
+      {"vtk 5", ".vtk", true, vtk_legacy(mesh, false, true)},
+      {"vtk 5, binary", ".vtk", true, vtk_legacy(mesh, true, true)},
+      {"vtu, ours", ".vtu", true, ours(write_vtu)},
+      {"vtu", ".vtu", true, vtu(mesh, {})},
+      {"vtu, inline", ".vtu", true, vtu(mesh, {kInline})},
+      {"vtu, inline, zlib", ".vtu", true, vtu(mesh, {kInline, kByZlib, kLittleEndian, 8})},
+      {"vtu, base64", ".vtu", true, vtu(mesh, {kAppendedBase64, kNot, kBigEndian, 8})},
+      {"vtu, base64, zlib", ".vtu", true, vtu(mesh, {kAppendedBase64, kByZlib})},
+      {"vtu, raw", ".vtu", true, vtu(mesh, {kAppendedRaw})},
+      {"vtu, raw, zlib", ".vtu", true, vtu(mesh, {kAppendedRaw, kByZlib, kBigEndian, 8})},
+      {"vtu, inline, lz4", ".vtu", true, vtu(mesh, {kInline, kByLz4})},
+      {"vtu, raw, lz4", ".vtu", true, vtu(mesh, {kAppendedRaw, kByLz4, kBigEndian, 8})},
+      {"tet", ".tet", false, tet(mesh, false)},
+      {"tet, binary", ".tet", false, tet(mesh, true)},
+      {"su2", ".su2", true, su2(mesh, false)},
+      {"su2, with indices", ".su2", true, su2(mesh, true)},
+      {"ucd", ".avs", true, ucd(mesh)}};
+  if (mesh.cells.empty()) return forms;  // decks have some
+  forms.insert(forms.end(), {{"nastran", ".bdf", true, nastran(mesh, false)},
+                             {"nastran, in columns", ".bdf", true, nastran(mesh, true)},
+                             {"abaqus", ".inp", true, abaqus(mesh, false)},
+                             {"abaqus, over lines", ".inp", true, abaqus(mesh, true)},
+                             {"unv", ".unv", true, unv(mesh, false)},
+                             {"unv, old", ".unv", true, unv(mesh, true)},
+                             {"xdmf", ".xdmf", true, xdmf(mesh)}});
+  return forms;
 }
 
 inline Result<ElementFile> read_form(const WrittenForm& form, NumberReading reading) {
@@ -440,6 +417,12 @@ inline Result<ElementFile> read_form(const WrittenForm& form, NumberReading read
   if (form.extension == ".msh") return read_gmsh(source, reading);
   if (form.extension == ".vtk") return read_vtk(source, reading);
   if (form.extension == ".vtu") return read_vtu(source, reading);
+  if (form.extension == ".su2") return read_su2(source, reading);
+  if (form.extension == ".avs") return read_ucd(source, reading);
+  if (form.extension == ".bdf") return read_nastran(source, reading);
+  if (form.extension == ".inp") return read_abaqus(source, reading);
+  if (form.extension == ".unv") return read_unv(source, reading);
+  if (form.extension == ".xdmf") return read_xdmf(source, reading);
   return read_tet(source, reading);
 }
 
