@@ -53,9 +53,16 @@ Definition flat_wrong_dimension L : Prop :=
 Definition flat_vertex_in_ball S L : Prop := exists s p, listed L s /\
   length s = Datatypes.S k /\ affinely_independent s /\ In p S /\
   forall c r2, circumball s c r2 -> dist2 c p < r2.
-(** Of the other rules nothing is said. *)
+(** A point lies beyond a facet that only one simplex has: they are on different sides of a
+    hyperplane through it. *)
+Definition flat_hull_not_convex S L : Prop := exists s f v p, listed L s /\
+  length s = Datatypes.S k /\ affinely_independent s /\ NoDup f /\ length f = k /\ incl f s /\
+  (forall t, listed L t -> incl f t -> same s t) /\
+  In v s /\ In p S /\ on_opposite_sides f v p.
+(** Of the other rules nothing is said; of this one only on lines. *)
 Definition broken_of_flat S L (r : rule) : Prop :=
   match r with
+  | triangulation_hull_not_convex => k = 1%nat /\ flat_hull_not_convex S L
   | simplex_wrong_dimension => flat_wrong_dimension L
   | triangulation_unused_point => unused_point S L
   | delaunay_vertex_in_ball => flat_vertex_in_ball S L

@@ -75,7 +75,8 @@ Qed.
 
 Theorem rules_of_flats D x : refute_flat D x = true ->
   In (rule_name (rule_of (because (flat_mesh x))))
-  ["simplex.wrong-dimension"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.
+  ["simplex.wrong-dimension"; "triangulation.unused-point"; "triangulation.hull-not-convex";
+   "delaunay.vertex-in-ball"]%string.
 Proof.
   intros A. apply FlatRefuted.refute_flat_rule in A. destruct A as [(k & _ & B) _].
   destruct (because (flat_mesh x)); try contradiction; listed.

@@ -282,7 +282,8 @@ Theorem verified_not_flat D x : refute_flat D x = true ->
 Proof. apply FlatRefuted.refute_flat_rule. Qed.
 Theorem rules_of_flats D x : refute_flat D x = true ->
   In (rule_name (rule_of (because (flat_mesh x))))
-  ["simplex.wrong-dimension"; "triangulation.unused-point"; "delaunay.vertex-in-ball"]%string.
+  ["simplex.wrong-dimension"; "triangulation.unused-point"; "triangulation.hull-not-convex";
+   "delaunay.vertex-in-ball"]%string.
 Proof. apply MainProofs.rules_of_flats. Qed.
 
 (** An accepted certificate of the claim [surface-delaunay]: at each edge of two triangles, the

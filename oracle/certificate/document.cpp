@@ -49,8 +49,10 @@ bool may_be_shown(const ExactMesh& mesh, const Verdict& verdict, Rule rule) {
     return rule == Rule::kFacetNotSupporting || rule == Rule::kHullUncovered;
   }
   if (mesh.points.dimension() < static_cast<int>(mesh.points.ambient_dimension())) {
+    const bool is_line = mesh.points.dimension() == 1;
     return rule == Rule::kWrongDimension || rule == Rule::kUnusedPoint ||
-           rule == Rule::kFacetNotLocal || rule == Rule::kVertexInBall;
+           rule == Rule::kFacetNotLocal || rule == Rule::kVertexInBall ||
+           (is_line && (rule == Rule::kHullNotClosed || rule == Rule::kHullNotConvex));
   }
   if (verdict.claim() != Claim::kComplex) return true;
   switch (rule) {
@@ -95,6 +97,7 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       });
     case Rule::kHullNotClosed:
     case Rule::kHullNotConvex:
+      if (mesh.points.dimension() == 1) return line_end_evidence(mesh, points);
       return from_violations(verdict, rule, [&](const Witness& witness) {
         return hull_evidence(mesh, rule, witness);
       });

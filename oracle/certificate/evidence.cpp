@@ -266,6 +266,33 @@ std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPo
   return evidence;
 }
 
+std::optional<Evidence> line_end_evidence(const ExactMesh& mesh, const ScaledPoints& points) {
+  const std::size_t axis = mesh.points.configuration().hull().axes.front();
+  const auto along = [&](Vertex v) -> const Integer& { return points.coordinate(v, axis); };
+  Vertex first = 0;
+  Vertex last = 0;
+  std::vector<std::size_t> uses(mesh.points.size());
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    if (along(v) < along(first)) first = v;
+    if (along(last) < along(v)) last = v;
+  }
+  for (const Simplex& simplex : mesh.simplices) {
+    for (const Vertex v : simplex) ++uses[static_cast<std::size_t>(v)];
+  }
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    const Simplex& simplex = mesh.simplices[s];
+    if (simplex.size() != 2) return std::nullopt;
+    for (std::size_t start = 0; start < 2; ++start) {
+      const Vertex end = simplex[1 - start];
+      const Vertex beyond = along(simplex[start]) < along(end) ? last : first;
+      if (uses[static_cast<std::size_t>(end)] == 1 && along(beyond) != along(end)) {
+        return Evidence{Rule::kHullNotConvex, {number(s), position(start), to_integer(beyond) + 1}};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Evidence> two_sides_evidence(const ExactMesh& mesh, const Witness& witness) {
   const auto number = number_of(mesh, witness.simplices.front());
   if (!number || witness.vertices.size() != 2) return std::nullopt;

@@ -33,6 +33,10 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
 std::optional<Evidence> flat_ball_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                            const Witness& witness);
 
+// The same of points on a line: a simplex that ends where no other begins, and a point beyond.
+// Requires: sound simplices.
+std::optional<Evidence> line_end_evidence(const ExactMesh& mesh, const ScaledPoints& points);
+
 // A facet, and two points on different sides of it.
 std::optional<Evidence> two_sides_evidence(const ExactMesh& mesh, const Witness& witness);
 

@@ -27,8 +27,23 @@ Definition in_every_ball (n : nat) (p : site) (r : row) : bool :=
       no_ball pr (combine (ball_own x) X) [(ball_other x, p)]
   | None => false
   end.
+(** The row lists two points, and no other lists the one that is not entry i; there the simplex
+    ends, and point p is beyond. *)
+Definition no_other_row (X f : list site) (r : row) : bool :=
+  negb (forallb (fun p => lists points_table p r) f) ||
+  match all_named points_table r with Some Y => same_places X Y | None => false end.
+Definition ends_before (i : nat) (p : site) (r : row) : bool :=
+  has_length 2 r &&
+  match all_named points_table r with
+  | Some X => let Y := X ++ flat_pads x in
+      proper pr Y && Nat.ltb i 2 && (coordinate_sign pr Y p 1 i <? 0) &&
+      forallb (no_other_row X (remove i X)) (rows m)
+  | None => false
+  end.
 Definition shown_of_flat (n : nat) : bool :=
   match because m, refuted m with
+  | HullNotConvex t i p, _ => Nat.eqb n 2 && point_at points_table p (fun q =>
+      row_at rows_table t (ends_before i q))
   | WrongDimension t, _ => row_at rows_table t (fun r => negb (has_length n r))
   | UnusedPoint p, _ => point_at points_table p (fun q =>
       negb (existsb (lists points_table q) (rows m)))

@@ -72,6 +72,18 @@ def refutations():
         "a-point-off-it": dict(points=[*square[:3], (0, 4, 5)]), "no-point": dict(spans=[1, 2, 9])})
     yield from answers("triangulation.unused-point", "triangulation", [(0, 0), (1, 1), (2, 2)], [[1, 3]], [1, 3], [(0, 1)], [2], {
         "used": dict(because=[3]), "used-elsewhere": dict(points=[(0, 0), (0, 0), (2, 2)]), "no-point": dict(because=[4])})
+    # The third point is beyond the end of the first edge.
+    gap = [(0, 0, 0), (1, 2, 3), (3, 6, 9), (4, 8, 12)]
+    yield from answers("triangulation.hull-not-convex", "delaunay", gap, [[1, 2], [3, 4]], [1, 4], PADS, [1, 0, 3], {
+        "its-own-side": dict(because=[1, 1, 3]), "on-it": dict(because=[1, 0, 2]), "no-gap": dict(rows=[[1, 2], [2, 3], [3, 4]]),
+        "listed-in-a-triangle": dict(rows=[[1, 2], [2, 3, 4]]), "no-edge": dict(rows=[[1, 2, 9], [3, 4]]),
+        "no-entry": dict(because=[1, 2, 3]), "no-simplex": dict(because=[3, 0, 3]), "no-point": dict(because=[1, 0, 5]),
+        "a-point-twice": dict(rows=[[2, 2], [3, 4]]),
+        "of-a-plane": dict(points=square, rows=[[1, 2], [3, 4]], spans=[1, 2, 3], pads=[(0, 0, 1)]),
+        "a-point-off-it": dict(points=[*gap[:3], (4, 8, 11)], spans=[1, 3])})
+    yield "triangulation.hull-not-convex--shown--flat--listed-again", \
+        refutation("triangulation", "triangulation.hull-not-convex", [(0, 0), (1, 1), (2, 2)], [[1, 2], [2, 1]], [1, 3], [(0, 1)], [2, 1, 3]), \
+        "verified: not triangulation, triangulation.hull-not-convex"
     rhombus = [(0, 0, 0), (2, -1, 2), (4, 0, 4), (2, 1, 2)]
     yield from answers("delaunay.vertex-in-ball", "delaunay", rhombus, [[1, 2, 3], [3, 4, 1], [1, 2]], [1, 2, 3], [(0, 0, 1)],
                        [1, 4, -1, 1, -1, 1], {

@@ -153,7 +153,7 @@ let read_flat c refuted rule =
       let ball_own, rest = take c integer lower expected rest in
       let ball_other, rest = take c integer 1 expected rest in
       (VertexInBall (List.hd numbers, List.nth numbers 1), ball_own, List.hd ball_other, rest)
-    | "simplex.wrong-dimension" | "triangulation.unused-point" ->
+    | "simplex.wrong-dimension" | "triangulation.unused-point" | "triangulation.hull-not-convex" ->
       (evidence c refuted rule mesh.rows tokens, [], Big.zero, [])
     | _ -> Text.fail c.source "a rule of CERTIFICATE.md for points that do not span" (Text.quote rule) in
   no_more c expected rest;
