@@ -223,6 +223,36 @@ TEST_CASE("every mutation of a larger mesh is told in parts as in the whole") {
   CHECK(occurs(seen.size(), 3));
 }
 
+// Far more ridges at fault than a verdict shows: in each part, and between parts.
+TEST_CASE("of many ridges at fault the first are shown, and the others counted, in parts too") {
+  for (const std::size_t d : {2, 3}) {
+    properties::Dice dice(d);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 40; ++i) {
+      Point& point = points.emplace_back();
+      for (std::size_t axis = 0; axis < d; ++axis) {
+        point.push_back(static_cast<long>(dice.below(1000)));
+      }
+    }
+    const PointSet set(points);
+    const std::vector<Simplex> all = delaunay::bowyer_watson(set).simplices();
+    std::vector<Simplex> kept;
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      if (s % 4 != 0) kept.push_back(all[s]);
+    }
+    const ArrayMesh mesh = array_mesh(set, kept);
+    for (const std::size_t most : {1, 2, 7, 0}) {
+      CAPTURE(most);
+      const check::Options options{.max_violations = most};
+      const std::string whole = said_by_one(Claim::kDelaunay, mesh, options);
+      CHECK(whole.find("triangulation.hull-not-convex") != std::string::npos);
+      for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAlongALine}) {
+        CHECK(said_in_turns(Claim::kDelaunay, mesh, way, dice, options, 5) == whole);
+      }
+    }
+  }
+}
+
 // A corner at the origin, one along each axis, and one beyond them; and a point of the first
 // simplex that is not a vertex, of the weight with which it comes to lie in the witness plane.
 ArrayMesh with_submerged_tie(const std::vector<double>& point) {

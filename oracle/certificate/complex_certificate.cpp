@@ -91,9 +91,14 @@ class Partings {
   // the vertex opposite. Of a simplex in a hyperplane, `place` is its size, and either side may be
   // the positive one.
   int side(std::size_t s, std::size_t place, Vertex v);
-  // Does the hyperplane through the chosen points of completed(a, b) not part a from b? False, too,
-  // if one of them is not a vertex: then integers decide.
-  bool crosses(const std::vector<bool>& is_chosen, const Simplex& a, const Simplex& b);
+  // On which sides a may lie of the hyperplane through the chosen points of completed(a, b), with b
+  // on the other: above is where the hyperplane of through() is positive. Nothing if one of the
+  // points is not a vertex: then integers decide.
+  struct Sides {
+    bool above = true, below = true;
+  };
+  std::optional<Sides> sides_of(const std::vector<bool>& is_chosen, const Simplex& a,
+                                const Simplex& b);
   // Points that span, together with the vertices of both, the plane or space.
   std::vector<Vector> completed(const Simplex& a, const Simplex& b) const;
   bool parts(const Hyperplane& plane, const Simplex& above, const Simplex& below) const;
@@ -228,7 +233,8 @@ std::vector<Vector> Partings::completed(const Simplex& a, const Simplex& b) cons
   return all;
 }
 
-bool Partings::crosses(const std::vector<bool>& is_chosen, const Simplex& a, const Simplex& b) {
+std::optional<Partings::Sides> Partings::sides_of(const std::vector<bool>& is_chosen,
+                                                  const Simplex& a, const Simplex& b) {
   const std::size_t d = points_.dimension;
   std::array<Vertex, 4> through;  // and the vertex that is looked at
   std::size_t size = 0, number = 0;
@@ -239,22 +245,23 @@ bool Partings::crosses(const std::vector<bool>& is_chosen, const Simplex& a, con
   for (const Vertex v : b) {
     if (!contains(a, v)) take(v);
   }
-  if (size < d) return false;
+  if (size < d) return std::nullopt;
   const auto end_of_chosen = through.begin() + static_cast<std::ptrdiff_t>(d);
-  bool may_be_above = true, may_be_below = true;  // a, and b on the other side
+  Sides sides;
   const auto look_at = [&](const Simplex& simplex, int side) {
     for (const Vertex v : simplex) {
       if (std::find(through.begin(), end_of_chosen, v) != end_of_chosen) continue;
       through[d] = v;
-      const int sign = side * sidedness_.orientation(std::span(through).first(d + 1));
-      may_be_above &= sign >= 0;
-      may_be_below &= sign <= 0;
-      if (!may_be_above && !may_be_below) return;
+      // Where the hyperplane is positive, the orientation is negative.
+      const int sign = -side * sidedness_.orientation(std::span(through).first(d + 1));
+      sides.above &= sign >= 0;
+      sides.below &= sign <= 0;
+      if (!sides.above && !sides.below) return;
     }
   };
   look_at(a, 1);
-  if (may_be_above || may_be_below) look_at(b, -1);
-  return !may_be_above && !may_be_below;
+  if (sides.above || sides.below) look_at(b, -1);
+  return sides;
 }
 
 std::optional<Parting> Partings::between(std::size_t s, std::size_t t) {
@@ -269,7 +276,8 @@ std::optional<Parting> Partings::between(std::size_t s, std::size_t t) {
   std::vector<bool> is_chosen(all.size(), false);
   std::fill_n(is_chosen.begin(), d, true);
   do {
-    if (crosses(is_chosen, a, b)) continue;
+    const std::optional<Sides> sides = sides_of(is_chosen, a, b);
+    if (sides && !sides->above && !sides->below) continue;
     std::vector<Vector> chosen;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (is_chosen[i]) chosen.push_back(all[i]);
@@ -281,7 +289,9 @@ std::optional<Parting> Partings::between(std::size_t s, std::size_t t) {
                          [&](Vertex v) { return side_of(plane, v) * side >= 0; });
     };
     for (const int side : {1, -1}) {
-      if (!lies(a, side) || !lies(b, -side)) continue;
+      const bool is_parting =
+          sides ? (side > 0 ? sides->above : sides->below) : lies(a, side) && lies(b, -side);
+      if (!is_parting) continue;
       for (std::size_t axis = 0; axis < d; ++axis) sum.normal[axis] += side * plane.normal[axis];
       sum.offset += side * plane.offset;
     }

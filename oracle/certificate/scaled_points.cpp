@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/nearby.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 
 namespace circumspect::certificate {
@@ -212,46 +213,15 @@ fast::SiteRow<kDimension> Sidedness::row_of_doubles(std::span<const Vertex> simp
   return row;
 }
 
-namespace {
-
-// The sign of the determinant for every point in place of one of the row's that is off by so much
-// along each axis; 0 or kUncertain: it is not certain. The determinant is linear in that point. Its
-// slope along an axis is a minor of the other columns, of differences of the other points, which
-// are at most twice the largest entries: at most 8 times the product of these (in the plane, 2).
-// Twice that is more than what rounding can take from it.
-int certain_sign_nearby(const fast::SiteRow<2>& row, const std::array<double, 2>& off) {
-  const auto a = fast::row_from<false>(row[2], row[0]), b = fast::row_from<false>(row[2], row[1]);
-  const double value = fast::minor(a.row.x, a.row.y, b.row.x, b.row.y);
-  const fast::Scale2 scale = fast::larger(a.scale, b.scale);
-  const double more = 4 * (off[0] * scale.y + off[1] * scale.x);
-  return fast::certain_sign<int>(value > 0 ? value - more : value + more, fast::kOrientation2,
-                                 scale, {}) *
-         (std::fabs(value) > more ? 1 : 0);
-}
-
-int certain_sign_nearby(const fast::SiteRow<3>& row, const std::array<double, 3>& off) {
-  const auto a = fast::row_from<false>(row[3], row[0]), b = fast::row_from<false>(row[3], row[1]),
-             c = fast::row_from<false>(row[3], row[2]);
-  const double value = fast::volume(a.row, b.row, c.row);
-  const fast::Scale3 scale = fast::larger(fast::larger(a.scale, b.scale), c.scale);
-  const double more =
-      16 * (off[0] * scale.y * scale.z + off[1] * scale.x * scale.z + off[2] * scale.x * scale.y);
-  return fast::certain_sign<int>(value > 0 ? value - more : value + more, fast::kOrientation3,
-                                 scale, {}) *
-         (std::fabs(value) > more ? 1 : 0);
-}
-
-}  // namespace
-
 template <std::size_t kDimension>
 int Sidedness::certain_orientation_with(std::span<const Vertex> simplex, std::size_t place) const {
   fast::SiteRow<kDimension> row = row_of_doubles<kDimension>(simplex);
-  std::array<double, kDimension> off;
+  std::array<double, kDimension> lengths;
   for (std::size_t axis = 0; axis < kDimension; ++axis) {
     row[place].at[axis] = enclosed_moved_[axis].low;
-    off[axis] = enclosed_moved_[axis].high - enclosed_moved_[axis].low;
+    lengths[axis] = enclosed_moved_[axis].high - enclosed_moved_[axis].low;
   }
-  const int sign = certain_sign_nearby(row, off);
+  const int sign = fast::orientation_nearby(row, lengths);
   return sign == fast::kUncertain ? 0 : sign;
 }
 

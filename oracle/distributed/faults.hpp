@@ -17,8 +17,10 @@
 #include "oracle/distributed/ranks.hpp"
 #include "oracle/distributed/ridges.hpp"
 #include "oracle/distributed/submerged.hpp"
+#include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast_view.hpp"
+#include "oracle/judge/ridges_retold.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::distributed {
@@ -30,6 +32,7 @@ struct NamedFaults {
   FacetNames unsound = {}, duplicates = {}, beyond = {}, covering = {};
   std::vector<FacetNames> overused = {}, same_side = {}, not_local = {};
   std::vector<FaultyRidgeName<kDimension>> ridges = {};
+  check::FurtherRidges further_ridges = {};
   std::vector<NumberedPoint<kDimension>> unused = {};
   std::vector<FaultyPoint<kDimension>> submerged = {};
   FacetName first = {}, sound = {};  // the first simplex, and the first one that is sound
@@ -117,8 +120,15 @@ struct NamedFaults {
 template <std::size_t kDimension>
 class FaultSearch {
  public:
-  FaultSearch(Ranks& ranks, const LocalMesh<kDimension>& mesh, Claim claim, unsigned threads)
-      : ranks_(ranks), mesh_(mesh), claim_(claim), threads_(threads), shared_(ranks, mesh) {}
+  // Of the faulty ridges, `most` will be shown, or all: 0.
+  FaultSearch(Ranks& ranks, const LocalMesh<kDimension>& mesh, Claim claim, unsigned threads,
+              std::size_t most)
+      : ranks_(ranks),
+        mesh_(mesh),
+        claim_(claim),
+        threads_(threads),
+        most_(most),
+        shared_(ranks, mesh) {}
 
   // Nothing if no simplex is sound. Called by all ranks. Requires: no two points are equal.
   std::optional<NamedFaults<kDimension>> run() {
@@ -210,7 +220,7 @@ class FaultSearch {
 
   bool judge_boundary(const std::vector<std::uint32_t>& boundary,
                       const fast::Orientations& orientations) {
-    RidgeMeeting<kDimension> ridges(ranks_, mesh_, boundary, stages_);
+    RidgeMeeting<kDimension> ridges(ranks_, mesh_, boundary, most_, stages_);
     if (take_ridges(ridges.run([this](std::int32_t v) { return shared_.contains(v); }))) {
       return false;
     }
@@ -232,14 +242,14 @@ class FaultSearch {
     return !take(std::move(covering), faults_.covering);
   }
 
-  bool take_ridges(const std::vector<FaultyRidgeName<kDimension>>& own) {
+  bool take_ridges(const FaultyRidges<kDimension>& own) {
     struct Kind {
       std::array<std::int64_t, kDimension - 1> vertices;
       conditions::AtRidge kind;
     };
     std::vector<Kind> kinds;
     std::vector<FacetNames> facets;
-    for (const auto& ridge : own) {
+    for (const auto& ridge : own.first()) {
       kinds.push_back({ridge.vertices, ridge.kind});
       facets.push_back(ridge.facets);
     }
@@ -248,6 +258,12 @@ class FaultSearch {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       faults_.ridges.push_back({kinds[i].vertices, std::move(facets[i]), kinds[i].kind});
     }
+    using conditions::AtRidge;
+    for (const AtRidge kind :
+         {AtRidge::kNotClosed, AtRidge::kSecondBeyond, AtRidge::kFirstBeyond, AtRidge::kFolded}) {
+      const std::uint64_t further = ranks_.sum(own.further(kind));
+      if (further > 0) faults_.further_ridges[kind] = further;
+    }
     return ranks_.any(!own.empty());
   }
 
@@ -255,6 +271,7 @@ class FaultSearch {
   const LocalMesh<kDimension>& mesh_;
   Claim claim_;
   unsigned threads_;
+  std::size_t most_;
   SharedPoints<kDimension> shared_;
   NamedFaults<kDimension> faults_;
   fast::Stages stages_;

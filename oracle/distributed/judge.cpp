@@ -83,7 +83,7 @@ class DistributedJudge {
     if (ranks_.any(
             !beyond(ranks_, mesh_, found.boundary, sample, swept.orientations, stages_).empty()))
       return false;
-    RidgeMeeting<kDimension> ridges(ranks_, mesh_, found.boundary, stages_);
+    RidgeMeeting<kDimension> ridges(ranks_, mesh_, found.boundary, 1, stages_);
     if (ranks_.any(!ridges.run([](std::int32_t) { return true; }).empty())) return false;
     ranks_.end_phase("boundary");
     append(found.not_local, swept.not_local);
@@ -189,7 +189,7 @@ class DistributedJudge {
 
   // At the first rank, the exact checkers look at the faults. False if no simplex is sound.
   bool judge_by_faults(Judged& judged) {
-    FaultSearch<kDimension> search(ranks_, mesh_, claim_, threads_);
+    FaultSearch<kDimension> search(ranks_, mesh_, claim_, threads_, options_.max_violations);
     const auto found = search.run();
     if (!found) return false;
     judged.holds = found->hold();
@@ -202,8 +202,8 @@ class DistributedJudge {
       settle(verdict_that_holds(found->unique, found->canonical), {}, judged);
       return true;
     }
-    const auto verdict =
-        verdict_of_faults(claim_, part.view(), nullptr, found->in_part(part), options_);
+    const auto verdict = verdict_of_faults(claim_, part.view(), nullptr, found->in_part(part),
+                                           options_, found->further_ridges);
     if (!verdict) throw std::logic_error("the ranks found faults, and the checkers none");
     settle(*verdict, part.named(), judged);
     return true;

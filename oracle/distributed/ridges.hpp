@@ -5,12 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
 #include "oracle/distributed/conditions.hpp"
 #include "oracle/distributed/local_mesh.hpp"
 #include "oracle/distributed/ranks.hpp"
+#include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/boundary.hpp"
 
 namespace circumspect::distributed {
@@ -23,20 +25,60 @@ struct FaultyRidgeName {
   conditions::AtRidge kind = conditions::AtRidge::kNotClosed;
 };
 
+// Of each kind, the first so many by their vertices, and how many more there are. 0: all.
+template <std::size_t kDimension>
+class FaultyRidges {
+ public:
+  using Name = FaultyRidgeName<kDimension>;
+
+  explicit FaultyRidges(std::size_t most) : most_(most) {}
+
+  // facets() are those of the ridge, if they are asked for.
+  template <class Facets>
+  void add(conditions::AtRidge kind, const std::array<std::int64_t, kDimension - 1>& vertices,
+           const Facets& facets) {
+    std::vector<Name>& first = first_[kind];
+    if (most_ > 0 && first.size() == most_) {
+      ++further_[kind];
+      if (!(vertices < first.front().vertices)) return;
+      std::pop_heap(first.begin(), first.end(), is_before);
+      first.pop_back();
+    }
+    first.push_back({vertices, facets(), kind});
+    if (most_ > 0) std::push_heap(first.begin(), first.end(), is_before);
+  }
+
+  bool empty() const { return first_.empty(); }
+  std::vector<Name> first() const {
+    std::vector<Name> all;
+    for (const auto& [kind, ridges] : first_) append(all, ridges);
+    return all;
+  }
+  std::size_t further(conditions::AtRidge kind) const {
+    const auto found = further_.find(kind);
+    return found == further_.end() ? 0 : found->second;
+  }
+
+ private:
+  static bool is_before(const Name& a, const Name& b) { return a.vertices < b.vertices; }
+
+  std::size_t most_;
+  std::map<conditions::AtRidge, std::vector<Name>> first_ = {};  // the last of them in front
+  std::map<conditions::AtRidge, std::size_t> further_ = {};
+};
+
 template <std::size_t kDimension>
 class RidgeMeeting {
  public:
-  using Faulty = std::vector<FaultyRidgeName<kDimension>>;
-
-  // Requires: `boundary` are this rank's boundary facets.
+  // Requires: `boundary` are this rank's boundary facets. `most`: as for FaultyRidges.
   RidgeMeeting(Ranks& ranks, const LocalMesh<kDimension>& mesh,
-               std::span<const std::uint32_t> boundary, fast::Stages& stages)
-      : ranks_(ranks), mesh_(mesh), boundary_(boundary), stages_(stages) {}
+               std::span<const std::uint32_t> boundary, std::size_t most, fast::Stages& stages)
+      : ranks_(ranks), mesh_(mesh), boundary_(boundary), stages_(stages), faulty_(most) {}
 
   // The faulty ridges that meet at this rank: those that its hash names, and those with a vertex
   // that is_shared(v) says no other rank names. Called by all ranks.
   template <class IsShared>
-  Faulty run(const IsShared& is_shared) {
+  FaultyRidges<kDimension> run(const IsShared& is_shared) {
     std::vector<Use> own;
     std::vector<std::uint32_t> others;  // numbers of uses
     for (std::size_t i = 0; i < boundary_.size() * kDimension; ++i) {
@@ -134,17 +176,18 @@ class RidgeMeeting {
                                                        hinge_of(uses[group[1]]), stages_)
                           : conditions::AtRidge::kNotClosed;
     if (kind == conditions::AtRidge::kGood) return;
-    auto& ridge = faulty_.emplace_back();
-    ridge.kind = kind;
-    ridge.vertices = uses[group[0]].ridge;
-    for (const std::uint32_t i : group) ridge.facets.push_back(uses[i].facet);
+    faulty_.add(kind, uses[group[0]].ridge, [&] {
+      FacetNames facets;
+      for (const std::uint32_t i : group) facets.push_back(uses[i].facet);
+      return facets;
+    });
   }
 
   Ranks& ranks_;
   const LocalMesh<kDimension>& mesh_;
   std::span<const std::uint32_t> boundary_;
   fast::Stages& stages_;
-  Faulty faulty_;
+  FaultyRidges<kDimension> faulty_;
 };
 
 }  // namespace circumspect::distributed

@@ -16,6 +16,21 @@
 
 namespace circumspect::check {
 
+// Of each kind, how many faulty ridges are not listed because no verdict shows them. Those that are
+// listed then include the first of each kind, by their vertices.
+using FurtherRidges = std::map<conditions::AtRidge, std::size_t>;
+
+inline Rule rule_of(conditions::AtRidge kind) {
+  switch (kind) {
+    case conditions::AtRidge::kNotClosed:
+      return Rule::kHullNotClosed;
+    case conditions::AtRidge::kFolded:
+      return Rule::kOverlap;
+    default:
+      return Rule::kHullNotConvex;
+  }
+}
+
 // What oracle/judge/points finds at a faulty ridge, found by the signs of the fast judge instead.
 template <std::size_t kDimension, typename Index>
 class RidgeFault {
@@ -23,16 +38,7 @@ class RidgeFault {
   RidgeFault(const fast::MeshView<kDimension, Index>& mesh, const fast::FaultyRidge& ridge)
       : mesh_(mesh), ridge_(ridge) {}
 
-  Rule rule() const {
-    switch (ridge_.kind) {
-      case conditions::AtRidge::kNotClosed:
-        return Rule::kHullNotClosed;
-      case conditions::AtRidge::kFolded:
-        return Rule::kOverlap;
-      default:
-        return Rule::kHullNotConvex;
-    }
-  }
+  Rule rule() const { return rule_of(ridge_.kind); }
 
   // The vertices that the witness names, ascending.
   Simplex named() const {
@@ -113,14 +119,16 @@ struct RidgesRetold {
   std::vector<RidgeFault<kDimension, Index>> counted = {};
 
   RidgesRetold(const fast::MeshView<kDimension, Index>& mesh,
-               const std::vector<fast::FaultyRidge>& ridges, std::size_t most) {
+               const std::vector<fast::FaultyRidge>& ridges, const FurtherRidges& further,
+               std::size_t most) {
     std::vector<const fast::FaultyRidge*> all;
     for (const fast::FaultyRidge& ridge : ridges) all.push_back(&ridge);
+    const bool all_are_shown = most == 0 || (all.size() <= most && further.empty());
     std::sort(all.begin(), all.end(),
               [](const auto* a, const auto* b) { return a->vertices < b->vertices; });
     std::vector<Rule> rules;
     for (const fast::FaultyRidge* const ridge : all) {
-      if (most == 0 || all.size() <= most) {
+      if (all_are_shown) {
         shown.push_back(ridge);
         continue;
       }

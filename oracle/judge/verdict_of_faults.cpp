@@ -13,7 +13,6 @@
 #include "oracle/judge/part_of_mesh.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
-#include "oracle/judge/ridges_retold.hpp"
 
 namespace circumspect::check {
 
@@ -190,13 +189,15 @@ template <std::size_t kDimension, typename Index>
 class Retold {
  public:
   Retold(Claim claim, const fast::MeshView<kDimension, Index>& whole, const fast::Faults& faults,
-         const std::vector<WrongLink>& wrong, Vertex first_index, const Options& options)
+         const FurtherRidges& further, const std::vector<WrongLink>& wrong, Vertex first_index,
+         const Options& options)
       : claim_(claim),
         faults_(faults),
+        further_(further),
         wrong_(wrong),
         first_index_(first_index),
         options_(options),
-        ridges_(whole, faults.ridges, options.max_violations),
+        ridges_(whole, faults.ridges, further, options.max_violations),
         part_(whole, simplices(), further_points()),
         mesh_(part_.mesh(claim == Claim::kWeightedDelaunay && !whole.weights.empty())),
         verdict_(claim, options.max_violations) {}
@@ -310,6 +311,9 @@ class Retold {
       judge_sample_point(mesh_, boundary, verdict_);
     }
     for (const auto& ridge : ridges_.counted) count(ridge);
+    for (const auto& [kind, count] : further_) {
+      for (std::size_t i = 0; i < count; ++i) verdict_.count(rule_of(kind));
+    }
   }
 
   // Others have named what is in all of them: so what is not in the part cannot be.
@@ -346,6 +350,7 @@ class Retold {
 
   Claim claim_;
   const fast::Faults& faults_;
+  const FurtherRidges& further_;
   const std::vector<WrongLink>& wrong_;
   Vertex first_index_;  // of the simplices
   const Options& options_;
@@ -360,7 +365,8 @@ class Retold {
 template <std::size_t kDimension, typename Index>
 std::optional<Verdict> verdict_of_faults(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
                                          const ListedNeighbors* neighbors,
-                                         const fast::Faults& faults, const Options& options) {
+                                         const fast::Faults& faults, const Options& options,
+                                         const FurtherRidges& further) {
   std::vector<WrongLink> wrong;
   if (neighbors != nullptr && faults.facets_match()) {
     auto found = wrong_links<kDimension + 1>(*neighbors, faults.links);
@@ -374,7 +380,8 @@ std::optional<Verdict> verdict_of_faults(Claim claim, const fast::MeshView<kDime
   }
   const Vertex first_index = neighbors != nullptr ? neighbors->first_index : 0;
   Verdict verdict =
-      Retold<kDimension, Index>(claim, mesh, faults, wrong, first_index, options).verdict();
+      Retold<kDimension, Index>(claim, mesh, faults, further, wrong, first_index, options)
+          .verdict();
   if (verdict.holds()) return std::nullopt;
   verdict.points = mesh.points();
   verdict.simplices = mesh.size();
@@ -384,15 +391,15 @@ std::optional<Verdict> verdict_of_faults(Claim claim, const fast::MeshView<kDime
 
 template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<2, std::int32_t>&,
                                                   const ListedNeighbors*, const fast::Faults&,
-                                                  const Options&);
+                                                  const Options&, const FurtherRidges&);
 template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<2, std::int64_t>&,
                                                   const ListedNeighbors*, const fast::Faults&,
-                                                  const Options&);
+                                                  const Options&, const FurtherRidges&);
 template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<3, std::int32_t>&,
                                                   const ListedNeighbors*, const fast::Faults&,
-                                                  const Options&);
+                                                  const Options&, const FurtherRidges&);
 template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<3, std::int64_t>&,
                                                   const ListedNeighbors*, const fast::Faults&,
-                                                  const Options&);
+                                                  const Options&, const FurtherRidges&);
 
 }  // namespace circumspect::check

@@ -12,6 +12,7 @@
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/delaunay.hpp"
+#include "oracle/judge/ridges_retold.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
@@ -38,10 +39,11 @@ Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& m
 // Nothing if the faults do not tell: weighted points of a triangulation that are not vertices,
 // neighbours that are not rows of a simplex's width, or no fault at all.
 // Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: the faults are those that
-// fast::faults finds for the claim.
+// fast::faults finds for the claim, but for the `further` ridges.
 template <std::size_t kDimension, typename Index>
 std::optional<Verdict> verdict_of_faults(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
                                          const ListedNeighbors* neighbors,
-                                         const fast::Faults& faults, const Options& options);
+                                         const fast::Faults& faults, const Options& options,
+                                         const FurtherRidges& further = {});
 
 }  // namespace circumspect::check

@@ -25,17 +25,26 @@ class VoronoiJudge {
     if (!by_definition) around_.emplace(diagram.sites, box);
   }
 
-  void judge(const Rational& squared_distance) {
+  void judge_cells(const Rational& squared_distance) {
     for (Vertex site = 0; diagram_.sites.names(site); ++site) {
-      if (names_vertices(site)) compare(site, squared_distance);
+      if (names_vertices(site)) compare(site, exact_corners(site), squared_distance);
     }
   }
 
-  void judge_vertices_and_ridges(const Rational& squared_distance) {
-    const definition::VoronoiStructure exact =
-        by_definition_ ? definition::exact_structure(diagram_.sites, box_)
-                       : structure_by_corners(diagram_.sites, *around_);
-    judge_structure(diagram_, box_, squared_distance, exact, by_definition_, verdict_);
+  void judge_cells_vertices_and_ridges(const Rational& squared_distance) {
+    if (by_definition_) {
+      judge_cells(squared_distance);
+      judge_structure(diagram_, box_, squared_distance,
+                      definition::exact_structure(diagram_.sites, box_), true, verdict_);
+      return;
+    }
+    std::vector<std::vector<Point>> cells;
+    for (Vertex site = 0; diagram_.sites.names(site); ++site) {
+      cells.push_back(exact_corners(site));
+      if (names_vertices(site)) compare(site, cells.back(), squared_distance);
+    }
+    judge_structure(diagram_, box_, squared_distance, structure_by_corners(diagram_.sites, cells),
+                    false, verdict_);
   }
 
  private:
@@ -51,10 +60,12 @@ class VoronoiJudge {
     return true;
   }
 
-  void compare(Vertex site, const Rational& allowed) {
-    const std::vector<Point> exact = by_definition_
-                                         ? definition::exact_corners(diagram_.sites, site, box_)
-                                         : around_->corners_of_cell(site);
+  std::vector<Point> exact_corners(Vertex site) const {
+    return by_definition_ ? definition::exact_corners(diagram_.sites, site, box_)
+                          : around_->corners_of_cell(site);
+  }
+
+  void compare(Vertex site, const std::vector<Point>& exact, const Rational& allowed) {
     const std::vector<Point> listed = by_definition_
                                           ? definition::listed_corners(diagram_, site, box_)
                                           : corners_of_listed(diagram_, site, box_);
@@ -144,8 +155,11 @@ Verdict judge_voronoi(const VoronoiDiagram& diagram, const std::optional<JudgedB
   verdict.voronoi.emplace();
   const JudgedBox within = box ? *box : default_box(diagram.sites);
   VoronoiJudge judge(diagram, within, by_definition, verdict);
-  judge.judge(squared_distance);
-  if (has_structure) judge.judge_vertices_and_ridges(squared_distance);
+  if (has_structure) {
+    judge.judge_cells_vertices_and_ridges(squared_distance);
+  } else {
+    judge.judge_cells(squared_distance);
+  }
   return verdict;
 }
 

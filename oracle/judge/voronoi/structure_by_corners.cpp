@@ -11,10 +11,13 @@ namespace {
 
 using definition::VoronoiStructure;
 
-std::map<Point, Simplex> vertices_of_cells(const PointSet& sites, const SitesAround& around) {
+std::map<Point, Simplex> vertices_of_cells(const PointSet& sites,
+                                           const std::vector<std::vector<Point>>& cells) {
   std::map<Point, Simplex> vertices;
   for (Vertex site = 0; sites.names(site); ++site) {
-    for (const Point& corner : around.corners_of_cell(site)) vertices[corner].push_back(site);
+    for (const Point& corner : cells[static_cast<std::size_t>(site)]) {
+      vertices[corner].push_back(site);
+    }
   }
   std::erase_if(vertices, [&](const auto& vertex) {
     std::vector<Point> nearest;
@@ -26,8 +29,9 @@ std::map<Point, Simplex> vertices_of_cells(const PointSet& sites, const SitesAro
 
 }  // namespace
 
-VoronoiStructure structure_by_corners(const PointSet& sites, const SitesAround& around) {
-  VoronoiStructure structure{.vertices = vertices_of_cells(sites, around)};
+VoronoiStructure structure_by_corners(const PointSet& sites,
+                                      const std::vector<std::vector<Point>>& cells) {
+  VoronoiStructure structure{.vertices = vertices_of_cells(sites, cells)};
   std::map<Face, std::size_t> ends;             // how many vertices each edge of the diagram has
   std::map<Face, std::set<Face>> around_ridge;  // its edges; in the plane itself
   for (const auto& [centre, nearest] : structure.vertices) {

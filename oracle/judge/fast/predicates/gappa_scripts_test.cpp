@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/fast/predicates/filter.hpp"
+#include "oracle/judge/fast/predicates/nearby.hpp"
 #include "oracle/judge/fast/predicates/polynomials.hpp"
 
 namespace circumspect::fast {
@@ -20,7 +21,7 @@ namespace circumspect::fast {
 struct Operation;
 using Term = std::shared_ptr<const Operation>;
 struct Operation {
-  char sign = 0;     // 0: a difference, by its name
+  char sign = 0;     // 0, or ~ if it is near: a difference, by its name
   std::string name;  // lower case
   Term left, right;
 };
@@ -28,6 +29,10 @@ struct Operation {
 // A difference of two doubles, rounded once, at most 1 in absolute value after scaling.
 inline Term difference(const std::string& name) {
   return std::make_shared<Operation>(Operation{0, name, nullptr, nullptr});
+}
+// The same, if it is only known to be near the exact one: off by kNearby twice.
+inline Term near_difference(const std::string& name) {
+  return std::make_shared<Operation>(Operation{'~', name, nullptr, nullptr});
 }
 inline Term operator+(const Term& a, const Term& b) {
   return std::make_shared<Operation>(Operation{'+', "", a, b});
@@ -57,9 +62,11 @@ class GappaScript {
   std::string visit(const Term& term) {
     std::string& name = names_[term];
     if (!name.empty()) return name;
-    if (term->sign == 0) {
+    if (term->sign == 0 || term->sign == '~') {
+      const bool is_near = term->sign == '~';
       suppose(term->name + " in [-1, 1]");
-      suppose(term->name + " -/ " + capitals(term->name) + " in [-1b-53, 1b-53]");
+      suppose(term->name + (is_near ? " - " : " -/ ") + capitals(term->name) +
+              (is_near ? " in [-1b-30, 1b-30]" : " in [-1b-53, 1b-53]"));
       return name = term->name;
     }
     const std::string left = visit(term->left), right = visit(term->right);
@@ -115,8 +122,14 @@ std::string in_hexadecimal(double value) {
   return text;
 }
 
+static_assert(2 * kNearby == 0x1p-30);  // as the scripts of near differences have it
+
 // The differences of one row: of coordinates as in the row, and of coordinates (and weight) as in
 // its height, which are scaled differently.
+Row3<Term, Term> near_row_3(const std::string& name) {
+  return {
+      near_difference(name + "x"), near_difference(name + "y"), near_difference(name + "z"), {}};
+}
 Row2<Term, Term> row_2(const std::string& name, bool weighted) {
   const Term x = difference(name + "x"), y = difference(name + "y");
   const Term w = height(difference(name + "xh"), difference(name + "yh"));
@@ -149,6 +162,12 @@ TEST_CASE("F5: the Gappa scripts are those of the operations and bounds of the c
                kOrientation2);
   const auto a = row_3("a", false), b = row_3("b", false), c = row_3("c", false);
   check_script("orientation_3", volume(a, b, c), kOrientation3);
+  check_script("orientation_2_nearby",
+               minor(near_difference("ax"), near_difference("ay"), near_difference("bx"),
+                     near_difference("by")),
+               kOrientation2Nearby);
+  check_script("orientation_3_nearby", volume(near_row_3("a"), near_row_3("b"), near_row_3("c")),
+               kOrientation3Nearby);
   for (const bool weighted : {false, true}) {
     const std::string suffix = weighted ? "_weighted" : "";
     check_script(
@@ -173,8 +192,8 @@ TEST_CASE("F5: the orientation of a ball's simplex takes the operations of `orie
 }
 
 TEST_CASE("F5: the rounding of the bound itself is no more than is added to it") {
-  for (const double bound :
-       {kOrientation2, kOrientation3, kInCircle, kInCircleWeighted, kInSphere, kInSphereWeighted}) {
+  for (const double bound : {kOrientation2, kOrientation3, kOrientation2Nearby, kOrientation3Nearby,
+                             kInCircle, kInCircleWeighted, kInSphere, kInSphereWeighted}) {
     const double low = bound * kRoundedBound;
     CHECK(low - bound == bound * 0x1p-40);  // the product was exact
   }
