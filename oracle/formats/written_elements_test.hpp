@@ -398,7 +398,7 @@ inline std::vector<WrittenForm> all_forms(const WrittenMesh& mesh) {
       {"tet, binary", ".tet", false, tet(mesh, true)},
       {"su2", ".su2", true, su2(mesh, false)},
       {"su2, with indices", ".su2", true, su2(mesh, true)},
-      {"ucd", ".avs", true, ucd(mesh)}};
+      {"ucd", ".inp", true, ucd(mesh)}};
   if (mesh.cells.empty()) return forms;  // decks have some
   forms.insert(forms.end(), {{"nastran", ".bdf", true, nastran(mesh, false)},
                              {"nastran, in columns", ".bdf", true, nastran(mesh, true)},
@@ -418,7 +418,7 @@ inline Result<ElementFile> read_form(const WrittenForm& form, NumberReading read
   if (form.extension == ".vtk") return read_vtk(source, reading);
   if (form.extension == ".vtu") return read_vtu(source, reading);
   if (form.extension == ".su2") return read_su2(source, reading);
-  if (form.extension == ".avs") return read_ucd(source, reading);
+  if (form.name == "ucd") return read_ucd(source, reading);
   if (form.extension == ".bdf") return read_nastran(source, reading);
   if (form.extension == ".inp") return read_abaqus(source, reading);
   if (form.extension == ".unv") return read_unv(source, reading);
