@@ -59,8 +59,8 @@ step "the golden bytes, one report in four" inside \
   'CIRCUMSPECT_ONE_INPUT_IN=4 python3 corpus/golden.py build/release/bin/circumspect'
 tail -n 1 "$log"
 
-# archive_for ARCHITECTURE GNU: build/ARCHITECTURE has the command, linked without any shared library, and
-# build/dist what cmake/dist.sh makes of it.
+# archive_for ARCHITECTURE GNU: build/ARCHITECTURE has the command, linked without any shared
+# library, and build/dist what cmake/dist.sh makes of it.
 archive_for() {
   local libraries processor=${2%%-*}
   libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf "lib%s-dev:$1 " $name; done)
@@ -83,7 +83,8 @@ END
     "cmake/contraction_test.sh --archives $2-objdump build/$1/libcircumspect_*.a"
 }
 
-# judges COMMAND MACHINE PROCESSOR ROWS…: COMMAND is for MACHINE, by readelf's word, and prints the golden bytes
+# judges COMMAND MACHINE PROCESSOR ROWS…: COMMAND is for MACHINE, by readelf's word, and prints the
+# golden bytes.
 judges() {
   local machine
   machine=$(readelf -h "$root$1" | sed -n 's/ *Machine: *//p')
