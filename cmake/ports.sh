@@ -83,8 +83,8 @@ END
     "cmake/contraction_test.sh --archives $2-objdump build/$1/libcircumspect_*.a"
 }
 
-# judges COMMAND MACHINE PROCESSOR ROWS…: COMMAND is for MACHINE, by readelf's word, and prints
-# the golden bytes
+# judges COMMAND MACHINE PROCESSOR ROWS…: COMMAND is for MACHINE, by readelf's word, and prints the
+# golden bytes.
 judges() {
   local machine
   machine=$(readelf -h "$root$1" | sed -n 's/ *Machine: *//p')

@@ -83,9 +83,8 @@ test('a wrong call is a TypeError or a RangeError that says what was expected', 
   const shrinking = new ArrayBuffer(64, { maxByteLength: 64 });
   const small = new Float64Array(shrinking, 0, 8);
   shrinking.resize?.(8);  // in Node 18 none can
-  if (small.length === 0) fails([small, [0, 1, 2], { dimension: 2 }], TypeError, /found an array whose buffer was detached or made smaller/);
   // What is not a list of segments is not a domain without segments.
-  for (const segments of [new Set([[0, 2]]), 7, gone]) {
+  for (const segments of [new Set([[0, 2]]), 7, gone, ...(small.length === 0 ? [small] : [])]) {
     fails([square, halves, { domain: { points: square, segments, kind: 'hull' } }], TypeError, /expected segments/);
   }
   fails([square, halves, { domain: { points: square, polygons: [gone] } }], TypeError, /expected a polygon, found an array whose buffer was detached/);

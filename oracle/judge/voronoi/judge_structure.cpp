@@ -106,7 +106,7 @@ class StructureJudge {
     std::set<End> vertices;
     for (std::size_t p = 0; p < parts_.places().size(); ++p) vertices.insert(parts_.part(p));
     vertices.erase(kOutside);
-    verdict_.voronoi->structure = {.vertices = vertices.size()};
+    verdict_.voronoi->structure = StructureFacts{.vertices = vertices.size()};
     for (const auto& [pair, ridge] : exact_.ridges) {
       verdict_.voronoi->structure->ridges += ends_of(ridge).size() < 2 ? 0 : 1;
     }
