@@ -12,7 +12,7 @@ long they took, and those run, the shortest first, that together take no more th
 the time begins another round of the first kind.
 
 When the time is up, the tests that are running are stopped and count as cut off, neither passed nor failed. So does one that
-has taken three times its share before, since one input may take long: the others have their turn. A property may
+has taken three times its share before, or the time that is known of it: the others have their turn. A property may
 insist that some kind of input occurs (`occurs` in run.hpp). That is a fact about the fixed inputs of `make test`;
 CIRCUMSPECT_SOAK in the environment takes the question back.
 
@@ -161,7 +161,7 @@ class Soak:
         with log.open("wb") as output:
             process = subprocess.Popen(["nice", *command], cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
                                        stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
-        patience = max(LEAST_PATIENCE, PATIENCE * share) if test.divisible else float("inf")
+        patience = max(LEAST_PATIENCE, PATIENCE * (share if test.divisible else self.seconds_of(test)))
         self.running.append(Run(test, process, seed, begun, begun + patience, log))
 
     def has_room_for(self, test):

@@ -94,6 +94,16 @@ def test_one_that_takes_too_much_leaves_the_others_their_turn(folder):
     assert " of " in row_of(done, "timed") and "not reached" not in row_of(done, "timed"), done.stdout
 
 
+def test_a_whole_one_is_cut_off_long_after_its_time(folder):
+    folder.add("whole", "#!/bin/sh\nsleep 77 & wait\n")
+    (folder.root / "soak.tsv").write_text("# what all soaks did\nwhole\t1\t0\t0\t1\n")
+    begun = time.monotonic()
+    done = folder.soak("0.5")
+    assert time.monotonic() - begun < 25, done.stdout
+    assert "cut off" in row_of(done, "whole"), done.stdout
+    assert folder.totals()["whole"][3] >= 6
+
+
 def test_a_failure_ends_it_and_says_how_to_repeat_it(folder):
     folder.add("wrong", "#!/bin/sh\necho what went wrong\nexit 3\n", "tests")
     done = folder.soak("5")
