@@ -18,14 +18,13 @@ namespace circumspect {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-
 // The greatest double that is at most the sum, or one below it. In round-to-nearest, the computed
 // sum s of two finite doubles is a double next to their exact sum, and differs from that by exactly
 // `error`, unless it overflows. (D. Knuth, "The Art of Computer Programming" 2, Section 4.2.2,
 // Theorem B.)
 double lower_sum(double a, double b) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kLargest = std::numeric_limits<double>::max();
   const double sum = a + b;
   if (!std::isfinite(sum))
     return sum > 0 && std::isfinite(a) && std::isfinite(b) ? kLargest : -kInfinity;
