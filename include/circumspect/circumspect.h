@@ -66,9 +66,10 @@ typedef enum circumspect_status {
  * what was found, on one line without control characters. Empty if it did not fail. Lives until the
  * thread's next call. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_error(void);
-/* For bindings, which name options in words of their own: the same without advice to set a member of
- * circumspect_options; and that member, such as "merge_equal_points", empty if there is none. Both live until
- * the thread's next call, and are never NULL. */
+/* For bindings, which have words of their own for options: circumspect_last_fault is the same line
+ * without advice, and circumspect_last_option names the member of circumspect_options that would
+ * settle it, such as "merge_equal_points"; empty if there is none. Both live until the next call of
+ * the thread. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_fault(void);
 CIRCUMSPECT_API const char* circumspect_last_option(void);
 
