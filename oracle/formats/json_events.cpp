@@ -167,7 +167,11 @@ Status JsonEvents::check_whole() const {
   };
   for (const Key key : {kVersion, kDimension, kPoints}) {
     if (line_of_[key] == 0) {
-      return fail_at(key, "the key " + quote(kNames[key]), "an object without it");
+      return fail_at(key,
+                     "the key " + quote(kNames[key]) +
+                         R"(, as in {"circumspect": 1, "dimension": 2, "points": [...], )"
+                         R"("simplices": [...]})",
+                     "an object without it");
     }
   }
   const PointFile& points = file_.points;
