@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
+
 namespace circumspect {
 
 Simplex sorted(Simplex simplex) {
@@ -92,8 +94,7 @@ std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t
   for (const Simplex& simplex : simplices) {
     for (Simplex& face : faces(simplex, size)) found.push_back(sorted(std::move(face)));
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_each_once(found);
   return found;
 }
 

@@ -8,6 +8,7 @@
 
 #include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"
 
@@ -143,8 +144,7 @@ void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles
 }
 
 std::vector<Simplex> without_repetitions(std::vector<Simplex> simplices) {
-  std::sort(simplices.begin(), simplices.end());
-  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  keep_each_once(simplices);
   return simplices;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -231,9 +232,7 @@ class Building {
       }
       if (is_dangling(p)) ++built.not_flat_and_dangling;
     }
-    std::sort(complex.segments.begin(), complex.segments.end());
-    complex.segments.erase(std::unique(complex.segments.begin(), complex.segments.end()),
-                           complex.segments.end());
+    keep_each_once(complex.segments);
   }
 
   bool is_dangling(std::size_t p) const {
@@ -253,9 +252,7 @@ class Building {
       polygon.vertices.insert(polygon.vertices.end(), added.begin(), added.end());
     }
     std::sort(polygon.triangles.begin(), polygon.triangles.end());
-    std::sort(polygon.vertices.begin(), polygon.vertices.end());
-    polygon.vertices.erase(std::unique(polygon.vertices.begin(), polygon.vertices.end()),
-                           polygon.vertices.end());
+    keep_each_once(polygon.vertices);
     for (const std::size_t s : cells_.segments_of(p)) {
       const std::vector<Vertex>& path = images_.paths[s];
       for (std::size_t i = 0; i + 1 < path.size(); ++i) {
