@@ -49,7 +49,7 @@ class Visibility {
   const PointSet& points() const { return complex_.points; }
   std::size_t dimension() const { return complex_.ambient_dimension(); }
   const std::vector<Simplex>& walls() const { return regions_.walls().simplices(); }
-  Point centre(const Simplex& simplex) const { return barycentre(coordinates(points(), simplex)); }
+  Point centre(const Simplex& simplex) const { return barycentre(points(), simplex); }
   bool is_segment(const Simplex& edge) const {
     return std::binary_search(complex_.segments.begin(), complex_.segments.end(), edge);
   }

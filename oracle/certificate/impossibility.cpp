@@ -289,7 +289,7 @@ class Search {
     const Simplex& candidate = candidates_[k];
     Simplex facet = candidate;
     facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
-    const Point centre = circumspect::barycentre(coordinates(complex_.points, facet));
+    const Point centre = circumspect::barycentre(complex_.points, facet);
     if (complex_.kind == DomainKind::kEnclosed && is_in_wall(facet, centre)) return;
     Clause clause = {-literal(k)};
     std::vector<std::size_t> numbers;

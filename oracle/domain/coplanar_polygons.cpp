@@ -87,8 +87,7 @@ std::vector<Point> seeds_in_holes(const PointSet& points, const Polygon& polygon
   }
   std::vector<Point> seeds;
   for (std::size_t t = 0; t < bare.size(); ++t) {
-    if (holes.find(t) == t && !is_open[t])
-      seeds.push_back(barycentre(coordinates(points, bare[t])));
+    if (holes.find(t) == t && !is_open[t]) seeds.push_back(barycentre(points, bare[t]));
   }
   return seeds;
 }

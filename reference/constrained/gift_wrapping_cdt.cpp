@@ -68,7 +68,7 @@ class SpatialWrapping {
   }
 
   bool is_inside(const Simplex& simplex) const {
-    return regions_.locate(barycentre(coordinates(points_, simplex))) == Where::kInside;
+    return regions_.locate(barycentre(points_, simplex)) == Where::kInside;
   }
 
   // Finishes facets until none is left, and collects the tetrahedra.
@@ -142,7 +142,7 @@ class SpatialWrapping {
 
   // A sample point, inside the first tetrahedron: is it in the domain, and in no other?
   bool is_covered_once() const {
-    const Point sample = barycentre(coordinates(points_, tetrahedra_.front()));
+    const Point sample = barycentre(points_, tetrahedra_.front());
     if (regions_.locate(sample) != Where::kInside) return false;
     const auto holds_sample = [&](const Simplex& tetrahedron) {
       return holds(points_, tetrahedron, sample);

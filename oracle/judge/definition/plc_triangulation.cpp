@@ -149,7 +149,7 @@ class Judging {
     const Regions regions(complex_);
     const bool is_hull = complex_.kind == DomainKind::kHull;
     for (const Simplex& simplex : mesh_.simplices) {
-      std::vector<Point> samples = {barycentre(coordinates(mesh_.points, simplex))};
+      std::vector<Point> samples = {barycentre(mesh_.points, simplex)};
       for (const Vertex v : simplex) {
         if (is_hull) samples.push_back(mesh_.points[v]);
       }

@@ -109,7 +109,7 @@ class Obstacles {
     for (const WallPiece& piece : pieces_) {
       if (auto found = meeting(face, box, piece.facet)) return *found;
     }
-    return {.simplices = {face}, .point = barycentre(coordinates(in_.mesh.points, face))};
+    return {.simplices = {face}, .point = barycentre(in_.mesh.points, face)};
   }
 
  private:
@@ -132,7 +132,7 @@ class Obstacles {
 
 void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles,
                Verdict& verdict) {
-  const Point middle = barycentre(coordinates(in.mesh.points, face));
+  const Point middle = barycentre(in.mesh.points, face);
   const Where where = in.regions.locate(middle);
   if (where == Where::kOutside || where == Where::kHole) {
     verdict.add(Rule::kOutside, {.simplices = {face}, .point = middle});

@@ -178,7 +178,7 @@ bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& bound
 void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                         Verdict& verdict) {
   const Simplex& first = mesh.simplices.front();
-  const Point sample = barycentre(coordinates(mesh.points, first));
+  const Point sample = barycentre(mesh.points, first);
   std::vector<Point> with_sample = mesh.points.points();
   with_sample.push_back(sample);
   const Configuration points(with_sample);
