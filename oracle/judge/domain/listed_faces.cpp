@@ -33,9 +33,8 @@ bool judge_face(const ExactMesh& mesh, const Simplex& face, std::size_t ambient_
     return false;
   }
   if (face.size() < 2 || face.size() > ambient_dimension) {
-    verdict.add(
-        Rule::kWrongDimension,
-        {.simplices = {face}, .values = {{"vertices", Rational(static_cast<long>(face.size()))}}});
+    verdict.add(Rule::kWrongDimension,
+                {.simplices = {face}, .values = {{"vertices", face.size()}}});
     return false;
   }
   if (has_repeated_vertex(face)) {
