@@ -41,6 +41,12 @@ bool has_face(const Simplex& simplex, const Simplex& face) {
   return std::all_of(face.begin(), face.end(), [&](Vertex v) { return contains(simplex, v); });
 }
 
+std::size_t count_with_face(const std::vector<Simplex>& simplices, const Simplex& face) {
+  return static_cast<std::size_t>(
+      std::count_if(simplices.begin(), simplices.end(),
+                    [&](const Simplex& simplex) { return has_face(simplex, face); }));
+}
+
 bool has_repeated_vertex(const Simplex& simplex) {
   const Simplex ascending = sorted(simplex);
   return std::adjacent_find(ascending.begin(), ascending.end()) != ascending.end();

@@ -239,7 +239,7 @@ class Visibility {
     if (at.empty()) return true;
     const int side = regions_.walls().side_of(at.front(), points()[v_]);
     const OrientedFacet front{walls()[at.front()], side < 0};
-    return regions_.where(regions_.in_front_of(front)) == Where::kInside;
+    return regions_.faces_inside(front);
   }
 
   // If σ is an edge in space, the middle of one line of sight decides for all. (In the hull kind

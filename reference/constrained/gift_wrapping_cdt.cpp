@@ -56,7 +56,7 @@ class SpatialWrapping {
     for (const Simplex& wall : walls_) {
       const OrientedFacet facet = OrientedFacet::of(wall);
       for (const OrientedFacet& side : {facet, facet.reverse()}) {
-        if (regions_.where(regions_.in_front_of(side)) == Where::kInside) seeds.add(side);
+        if (regions_.faces_inside(side)) seeds.add(side);
       }
     }
     if (walls_.empty() && complex_.kind == DomainKind::kHull && points_.dimension() == 3) {

@@ -152,7 +152,7 @@ class Matching {
     const std::optional<Simplex> wall = wall_of(facet.vertices);
     if (!wall) return true;
     const OrientedFacet beyond{*wall, same_side(facet, *wall) > 0};
-    return regions_.where(regions_.in_front_of(beyond)) == Where::kInside;
+    return regions_.faces_inside(beyond);
   }
 
   void match(const OrientedFacet& facet, const std::vector<Literal>& users) {

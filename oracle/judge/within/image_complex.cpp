@@ -239,8 +239,7 @@ class Building {
     const std::vector<Simplex>& own = images_.patches[p].own;
     return std::any_of(own.begin(), own.end(), [&](const Simplex& triangle) {
       const OrientedFacet facet = OrientedFacet::of(triangle);
-      return regions_.where(regions_.in_front_of(facet)) != Where::kInside &&
-             regions_.where(regions_.in_front_of(facet.reverse())) != Where::kInside;
+      return !regions_.faces_inside(facet) && !regions_.faces_inside(facet.reverse());
     });
   }
 
@@ -291,8 +290,7 @@ class Building {
       const OrientedFacet own = OrientedFacet::of(wall.own);
       for (const bool reversed : {false, true}) {
         const OrientedFacet side = reversed ? front.reverse() : front;
-        const bool inside =
-            regions_.where(regions_.in_front_of(reversed ? own.reverse() : own)) == Where::kInside;
+        const bool inside = regions_.faces_inside(reversed ? own.reverse() : own);
         std::optional<Label>& label = labels[regions.in_front_of(side)];
         if (!label) label = Label{inside, side};
         if (label->inside == inside) continue;
