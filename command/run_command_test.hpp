@@ -36,29 +36,59 @@ inline std::string unbroken(const std::string& text) {
   return joined;
 }
 
-// Runs circumspect with some arguments and some text on its standard input.
-inline Run run(std::vector<std::string> arguments, const std::string& in = "") {
-  const ScratchFolder folder;
-  const std::string stdin_file = folder.write("in", in);
+// Which files a command that is started has for its standard streams.
+class Streams {
+ public:
+  Streams() { posix_spawn_file_actions_init(&actions_); }
+  ~Streams() { posix_spawn_file_actions_destroy(&actions_); }
+  Streams(const Streams&) = delete;
+  Streams& operator=(const Streams&) = delete;
+
+  void read(int stream, const std::string& path) { open(stream, path, O_RDONLY); }
+  void write(int stream, const std::string& path) {
+    open(stream, path, O_WRONLY | O_CREAT | O_TRUNC);
+  }
+  // What the test has open as `file`.
+  void copy(int stream, int file) { posix_spawn_file_actions_adddup2(&actions_, file, stream); }
+  const posix_spawn_file_actions_t* actions() const { return &actions_; }
+
+ private:
+  void open(int stream, const std::string& path, int flags) {
+    posix_spawn_file_actions_addopen(&actions_, stream, path.c_str(), flags, 0600);
+  }
+
+  posix_spawn_file_actions_t actions_;
+};
+
+// Starts circumspect with some arguments.
+inline pid_t start(std::vector<std::string> arguments, const Streams& streams) {
   arguments.insert(arguments.begin(), CIRCUMSPECT_COMMAND);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  const int flags = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&files, 0, stdin_file.c_str(), O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, folder.path("out").c_str(), flags, 0600);
-  posix_spawn_file_actions_addopen(&files, 2, folder.path("err").c_str(), flags, 0600);
   pid_t process = 0;
   const int failure =
-      posix_spawn(&process, CIRCUMSPECT_COMMAND, &files, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
+      posix_spawn(&process, argv.front(), streams.actions(), nullptr, argv.data(), environ);
   if (failure != 0) throw std::runtime_error("could not run " CIRCUMSPECT_COMMAND);
+  return process;
+}
+
+// Waits for it to end. Returns −1 if it did not end by itself.
+inline int exit_code_of(pid_t process) {
   int status = 0;
   waitpid(process, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder.path("out")),
-          contents(folder.path("err"))};
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// Runs circumspect with some arguments and some text on its standard input.
+inline Run run(const std::vector<std::string>& arguments, const std::string& in = "") {
+  const ScratchFolder folder;
+  Streams streams;
+  streams.read(0, folder.write("in", in));
+  streams.write(1, folder.path("out"));
+  streams.write(2, folder.path("err"));
+  const int exit_code = exit_code_of(start(arguments, streams));
+  return {exit_code, contents(folder.path("out")), contents(folder.path("err"))};
 }
 
 // The standard output as one JSON document; throws if it is anything else.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "oracle/judge/fast/predicates/arithmetic.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
@@ -82,8 +83,7 @@ EdgeProtection::EdgeProtection(const PiecewiseLinearComplex& complex, const Prog
       }
     }
   }
-  std::sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  keep_each_once(edges_);
 }
 
 bool EdgeProtection::has_edge(const Simplex& segment) const {

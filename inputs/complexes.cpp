@@ -250,7 +250,7 @@ ComplexCase planar_complex(Dice& dice, std::vector<Point> points) {
   for (std::size_t i = dice.below(3); i > 0 && input.points.size() > 2; --i) {
     const std::vector<Vertex> v = pick_vertices(dice, 3, vertices_of(input));
     PiecewiseLinearInput changed = input;
-    changed.hole_seeds.push_back(barycentre(coordinates(PointSet(input.points), v)));
+    changed.hole_seeds.push_back(barycentre(PointSet(input.points), v));
     if (validated(changed, 1)) input = changed;
   }
   return made;

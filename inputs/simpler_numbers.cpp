@@ -3,6 +3,7 @@
 
 #include "inputs/minimise.hpp"
 #include "inputs/set_parts.hpp"
+#include "kernel/exact/each_once.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -35,8 +36,7 @@ std::vector<Rational*> numbers(PointsCase& set) {
 PointsCase ranked(PointsCase set, std::size_t axis) {
   std::vector<Rational> values;
   for (const Point& point : set.points) values.push_back(point[axis]);
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+  keep_each_once(values);
   for (Point& point : set.points) {
     const auto place = std::lower_bound(values.begin(), values.end(), point[axis]);
     point[axis] = Rational(static_cast<long>(place - values.begin()));

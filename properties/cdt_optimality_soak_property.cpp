@@ -17,7 +17,7 @@ std::vector<Point> sample_points(const PointSet& points, const std::vector<Simpl
   std::vector<Point> samples;
   const std::vector<Simplex> facets = facets_of(tetrahedra);
   for (const auto& simplices : {tetrahedra, facets, facets_of(facets)}) {
-    for (const Simplex& simplex : simplices) samples.push_back(barycentre_of(points, simplex));
+    for (const Simplex& simplex : simplices) samples.push_back(barycentre(points, simplex));
   }
   return samples;
 }

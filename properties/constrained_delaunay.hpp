@@ -83,17 +83,13 @@ inline std::vector<Simplex> any_triangulation_of(const PointSet& points, const P
 // "Constrained Delaunay" and "locally Delaunay" from their definitions, with real visibility, for
 // holding constructions and lemmas against them. Book: Definition 4.6, Lemma 4.10.
 
-inline Point barycentre_of(const PointSet& points, const Simplex& simplex) {
-  return barycentre(coordinates(points, simplex));
-}
-
 // Does the polygon include the triangle? Requires: the triangle respects a complex with the
 // polygon.
 inline bool is_included(const PointSet& points, const Simplex& triangle, const Polygon& polygon) {
   for (const Vertex v : triangle) {
     if (!std::binary_search(polygon.vertices.begin(), polygon.vertices.end(), v)) return false;
   }
-  const Point centre = barycentre_of(points, triangle);
+  const Point centre = barycentre(points, triangle);
   return std::any_of(polygon.triangles.begin(), polygon.triangles.end(), [&](const Simplex& part) {
     return !intersection({centre}, coordinates(points, part)).empty();
   });
@@ -156,7 +152,7 @@ inline std::vector<Simplex> free_facets(const PiecewiseLinearComplex& complex,
   std::vector<Simplex> facets = facets_of(tetrahedra);
   std::erase_if(facets, [&](const Simplex& facet) {
     return index.star(facet).size() == 1 ||
-           regions.locate(barycentre_of(complex.points, facet)) == Where::kOnWall;
+           regions.locate(barycentre(complex.points, facet)) == Where::kOnWall;
   });
   return facets;
 }

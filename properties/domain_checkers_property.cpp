@@ -225,7 +225,7 @@ std::set<Simplex> faces_in_cells(const PiecewiseLinearComplex& complex, const Re
   std::set<Simplex> faces(complex.segments.begin(), complex.segments.end());
   faces.insert(triangulation.dangling.begin(), triangulation.dangling.end());
   for (const Simplex& facet : facets_of(triangulation.simplices)) {
-    const Point centre = barycentre(coordinates(complex.points, facet));
+    const Point centre = barycentre(complex.points, facet);
     if (regions.locate(centre) == Where::kOnWall) faces.insert(facet);
   }
   return faces;
@@ -242,7 +242,7 @@ TEST_CASE("C2 a polyhedron left empty, or a hole filled, is not a triangulation 
     const Simplex& any = cdt->simplices[static_cast<std::size_t>(
         *generators::below(static_cast<long>(cdt->simplices.size())))];
     const auto region_of = [&](const Simplex& simplex) {
-      return regions.region_at(barycentre(coordinates(complex.points, simplex)));
+      return regions.region_at(barycentre(complex.points, simplex));
     };
     std::vector<Simplex> others = cdt->simplices;
     std::erase_if(others,

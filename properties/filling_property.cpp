@@ -24,7 +24,7 @@ struct Triangulated {
   PointSet points;
   std::vector<Simplex> cells;  // positively oriented
 
-  Point middle(std::size_t cell) const { return barycentre(coordinates(points, cells[cell])); }
+  Point middle(std::size_t cell) const { return barycentre(points, cells[cell]); }
 };
 
 Triangulated any_triangulated(std::size_t d) {

@@ -74,7 +74,7 @@ Rational volume_of_tetrahedra(const PiecewiseLinearComplex& complex) {
   for (const Simplex& wall : walls(complex)) {
     const OrientedFacet facet = OrientedFacet::of(wall);
     for (const OrientedFacet& side : {facet, facet.reverse()}) {
-      if (regions.where(regions.in_front_of(side)) != Where::kInside) continue;
+      if (!regions.faces_inside(side)) continue;
       // Joined to vertex 0, with a sign: inner sides have it in front if the domain is there.
       if (contains(wall, 0)) continue;
       sum += orientation_determinant(points.configuration(), kSpace, join(side, 0));
@@ -123,8 +123,7 @@ TEST_CASE("C1 C3 gift-wrapping makes a simplicial complex that holds every cell 
     const PiecewiseLinearComplex complex = (*generators::any_complex(9)).complex();
     const auto cdt = gift_wrapping_cdt(complex);
     if (!cdt) return;
-    std::vector<Simplex> all = cdt->simplices;
-    all.insert(all.end(), cdt->dangling.begin(), cdt->dangling.end());
+    const std::vector<Simplex> all = cdt->simplices_and_dangling();
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         RC_ASSERT_FALSE(improper_intersection(complex.points, all[i], all[j]).has_value());

@@ -32,7 +32,7 @@ std::vector<Point> sample_points(const PointSet& points, const Triangulation& tr
   for (const Simplex& simplex : optimality::simplicial_complex(triangulation)) {
     const bool is_edge = simplex.size() == 2;
     const bool is_largest = static_cast<int>(simplex.size()) == triangulation.dimension() + 1;
-    if (is_edge || is_largest) samples.push_back(barycentre(coordinates(points, simplex)));
+    if (is_edge || is_largest) samples.push_back(barycentre(points, simplex));
   }
   return samples;
 }
@@ -50,7 +50,7 @@ TEST_CASE("D5 the error is r^2 - d(o,p)^2 on each simplex, and never negative (S
         for (const Simplex& simplex : one.simplices()) {
           const Ball ball = circumball(points, simplex);
           for (const Simplex& face : faces(simplex)) {
-            const Point p = barycentre(coordinates(points, face));
+            const Point p = barycentre(points, face);
             const Rational error = *optimality::interpolation_error(points, one, p);
             RC_ASSERT(error == ball.squared_radius - squared_distance(ball.centre, p));
             RC_ASSERT(sign(error) == (face.size() == 1 ? 0 : 1));

@@ -11,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/distributed/submerged.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
@@ -205,8 +206,7 @@ TEST_CASE("every mutation of a larger mesh is told in parts as in the whole") {
         point.push_back(static_cast<long>(dice.below(axis == 0 ? 1000 : 10)));
       }
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    keep_each_once(points);
     const PointSet set(points);
     ArrayMesh mesh = array_mesh(set, delaunay::bowyer_watson(set).simplices());
     list_neighbors(mesh);

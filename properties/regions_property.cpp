@@ -61,7 +61,7 @@ void assert_same_regions(const Arrangement& arrangement) {
   std::map<std::size_t, std::size_t> region_of;
   region_of[expected.find(cells.size())] = Regions::kUnbounded;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto found = regions.region_at(barycentre(coordinates(points, cells[i])));
+    const auto found = regions.region_at(barycentre(points, cells[i]));
     RC_ASSERT(found.has_value());
     RC_ASSERT(region_of.try_emplace(expected.find(i), *found).first->second == *found);
   }

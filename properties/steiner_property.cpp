@@ -150,10 +150,8 @@ void assert_same_polygons(const PiecewiseLinearComplex& complex,
 // polygon as large as the triangles in it, every vertex there. (That it is a complex, the tests of
 // the constructions see to.)
 void assert_conforms(const PiecewiseLinearComplex& complex, const PlcTriangulation& triangulation) {
-  std::vector<Simplex> all = triangulation.simplices;
-  all.insert(all.end(), triangulation.dangling.begin(), triangulation.dangling.end());
   std::set<Simplex> faces;
-  for (const Simplex& simplex : all) {
+  for (const Simplex& simplex : triangulation.simplices_and_dangling()) {
     for (const Simplex& face : circumspect::faces(simplex)) faces.insert(face);
   }
   for (Vertex v = 0; complex.points.names(v); ++v) RC_ASSERT(faces.contains({v}));
@@ -169,8 +167,7 @@ void assert_conforms(const PiecewiseLinearComplex& complex, const PlcTriangulati
 }
 
 bool are_all_delaunay(const PointSet& points, const PlcTriangulation& triangulation) {
-  std::vector<Simplex> all = triangulation.simplices;
-  all.insert(all.end(), triangulation.dangling.begin(), triangulation.dangling.end());
+  const std::vector<Simplex> all = triangulation.simplices_and_dangling();
   return std::all_of(all.begin(), all.end(), [&](const Simplex& simplex) {
     return delaunay::is_delaunay(points, simplex);
   });

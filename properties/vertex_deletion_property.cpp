@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/point_set.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
@@ -22,8 +23,7 @@ std::vector<Vertex> vertices_of(const Triangulation& triangulation) {
   for (const Simplex& simplex : triangulation.simplices()) {
     vertices.insert(vertices.end(), simplex.begin(), simplex.end());
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  keep_each_once(vertices);
   return vertices;
 }
 

@@ -165,8 +165,7 @@ bool is_contained(const Points& simplex, const Cell& cell) {
 bool respects_by_definition(const PiecewiseLinearComplex& complex, const Regions& regions,
                             const Simplex& simplex) {
   const std::vector<Cell> cells = cells_of(complex);
-  bool in_domain =
-      regions.locate(barycentre(coordinates(complex.points, simplex))) == Where::kInside;
+  bool in_domain = regions.locate(barycentre(complex.points, simplex)) == Where::kInside;
   for (unsigned chosen = 1; chosen < 1u << simplex.size(); ++chosen) {
     Simplex face;
     for (std::size_t i = 0; i < simplex.size(); ++i) {

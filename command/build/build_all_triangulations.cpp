@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command/build/points_to_build.hpp"
 #include "command/input/input.hpp"
 #include "command/options/option_rows.hpp"
 #include "command/options/whole_number.hpp"
@@ -83,12 +84,8 @@ ExitCode run(const AllTriangulationsOptions& options) {
   Output output(options.output);
   output.watch("build");
   output.begin("listing all triangulations of " + options.points);
-  const auto loaded = load_points(options.points, options.input);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
-    return output.finish();
-  }
-  output.notes(loaded->notes);
+  const auto loaded = points_to_build(options.points, options.input, output);
+  if (!loaded) return output.finish();
   if (loaded->merging) output.notes({*loaded->merging});
   const PointSet& points = loaded->mesh.points;
   if (options.max_points != 0 && points.size() > options.max_points) {

@@ -290,6 +290,12 @@ TEST_CASE("build: duplicates are rejected, or merged under the first one's index
   CHECK(run({"check", "--duplicates", "merge", mesh}).exit_code == 0);
   const Run json = run({"build", "delaunay", "--duplicates", "merge", points, "--format", "json"});
   CHECK(run({"check", "-", "--duplicates", "merge"}, json.out).exit_code == 0);
+  for (const char* made : {"delaunay-subdivision", "all-triangulations"}) {
+    CAPTURE(made);
+    CHECK(has(run({"build", made, "--duplicates", "merge", points}).out,
+              "d.node: points 5 and 7 are equal and count as one\n"));
+  }
+  CHECK(begins_with(run({"build", "voronoi", "--duplicates", "merge", points}).out, "2\n"));
 }
 
 TEST_CASE("inspect: dimension, duplicates, genericity with a witness, uniqueness") {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command/build/points_to_build.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/option_rows.hpp"
@@ -74,12 +75,8 @@ ExitCode run(const SubdivisionOptions& options) {
   Output output(options.output);
   output.watch("build");
   output.begin("subdividing " + options.points);
-  const auto loaded = load_points(options.points, options.input);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
-    return output.finish();
-  }
-  output.notes(loaded->notes);
+  const auto loaded = points_to_build(options.points, options.input, output);
+  if (!loaded) return output.finish();
   if (loaded->merging) output.notes({*loaded->merging});
   const PolyhedralComplex complex = subdivisions().at(options.algorithm)(loaded->mesh.points);
   if (output.wants_text()) output.text(text(*loaded, complex));

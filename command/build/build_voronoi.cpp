@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command/build/points_to_build.hpp"
 #include "command/input/input.hpp"
 #include "command/options/option_rows.hpp"
 #include "command/output/output.hpp"
@@ -117,11 +118,8 @@ ExitCode run(const VoronoiOptions& options) {
   Output output(options.output);
   output.watch("build");
   output.begin("building the diagram of " + options.points);
-  const auto loaded = load_points(options.points, options.input);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
-    return output.finish();
-  }
+  const auto loaded = points_to_build(options.points, options.input, output);
+  if (!loaded) return output.finish();
   const PointSet& sites = loaded->mesh.points;
   const bool span = sites.dimension() == static_cast<int>(sites.ambient_dimension());
   if (!span || sites.dimension() < 1) {
@@ -131,7 +129,6 @@ ExitCode run(const VoronoiOptions& options) {
                              options.points, sites.ambient_dimension(), sites.dimension()));
     return output.finish();
   }
-  output.notes(loaded->notes);
   const Dual dual = dual_of(sites, delaunay::delaunay_subdivision(sites));
   if (output.wants_text()) output.text(text(dual, sites.ambient_dimension()));
   if (output.wants_json()) output.json(json(*loaded, dual));

@@ -44,7 +44,7 @@ PlcTriangulation completed(const PiecewiseLinearComplex& complex, std::vector<Si
   for (const Polygon& polygon : complex.polygons) {
     const std::vector<Simplex> tiles = facets_in(polygon, facets);
     for (const Simplex& triangle : constrained::planar_cdt(complex.points, polygon)) {
-      const Point middle = barycentre(coordinates(complex.points, triangle));
+      const Point middle = barycentre(complex.points, triangle);
       const bool is_tiled = std::any_of(tiles.begin(), tiles.end(), [&](const Simplex& tile) {
         return !intersection({middle}, coordinates(complex.points, tile)).empty();
       });

@@ -11,6 +11,7 @@
 #include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_plan.hpp"
 #include "command/campaign/campaign_report.hpp"
+#include "command/campaign/stop_flag.hpp"
 #include "command/campaign/subject.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"

@@ -216,23 +216,15 @@ TEST_CASE("campaign: after kill -9 it goes on, and ends as if it had never been 
   const Program program(forgetful());
   const Arguments options = {"--cases",         "40", "--max-points", "9",
                              "--minimize-runs", "30", "--jobs",       "2"};
-  Arguments arguments = program.campaign(options);
-  arguments.insert(arguments.begin(), CIRCUMSPECT_COMMAND);
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  pid_t process = 0;
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-  REQUIRE(posix_spawn(&process, CIRCUMSPECT_COMMAND, &files, nullptr, argv.data(), environ) == 0);
-  posix_spawn_file_actions_destroy(&files);
+  Streams streams;
+  streams.write(1, "/dev/null");
+  const pid_t process = start(program.campaign(options), streams);
   const std::string journal = program.output() + "/journal.tsv";
   for (int i = 0; i < 2000 && cases_in(journal) < 5; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   kill(process, SIGKILL);
-  waitpid(process, nullptr, 0);
+  exit_code_of(process);
   CHECK(cases_in(journal) >= 5);
   std::ofstream(journal, std::ios::app) << "case\t99";  // a line that was cut off
   const Run resumed = run(program.campaign(options));

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <signal.h>
 
 #include "command/output/output.hpp"
 #include "oracle/formats/bytes/source.hpp"
@@ -309,26 +308,6 @@ std::string campaign_annotations(const Result& result, const std::string& progra
                     for_annotation(on_lines(finding_text(finding)), "%\r\n"));
   }
   return lines;
-}
-
-namespace {
-
-std::atomic<bool> stop = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-void set_stop(int) { stop = true; }
-
-}  // namespace
-
-const std::atomic<bool>& stop_flag() {
-  static const bool installed = [] {
-    struct sigaction action {};
-    action.sa_handler = set_stop;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    return sigaction(SIGINT, &action, nullptr) == 0 && sigaction(SIGTERM, &action, nullptr) == 0;
-  }();
-  static_cast<void>(installed);
-  return stop;
 }
 
 }  // namespace circumspect::cli

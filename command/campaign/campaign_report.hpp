@@ -1,7 +1,6 @@
-// Reports the findings of a campaign to people, programs and CI, and stops a campaign.
+// Reports the findings of a campaign to people, programs and CI.
 #pragma once
 
-#include <atomic>
 #include <string>
 
 #include "fuzz/campaign/campaign.hpp"
@@ -34,11 +33,5 @@ std::string campaign_annotations(const campaign::Result& result, const std::stri
 
 // How many cases were judged: neither skipped nor refused.
 std::size_t judged_cases(const campaign::Result& result);
-
-// Ctrl-C for commands that keep what they have.
-
-// Becomes true at the first SIGINT or SIGTERM; the next one ends the process. The handler is
-// installed by the first call.
-const std::atomic<bool>& stop_flag();
 
 }  // namespace circumspect::cli

@@ -10,7 +10,7 @@
 #include "command/campaign/campaign_inputs.hpp"
 #include "command/campaign/campaign_options.hpp"
 #include "command/campaign/campaign_page.hpp"
-#include "command/campaign/campaign_report.hpp"
+#include "command/campaign/stop_flag.hpp"
 #include "command/campaign/subject.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"

@@ -181,7 +181,7 @@ std::optional<certificate::FilledMesh> meshed(const PiecewiseLinearComplex& comp
   const Regions regions(complex);
   certificate::FilledMesh filled{{made->complex.points, {}}, {}};
   for (const Simplex& simplex : made->triangulation.simplices) {
-    const Point centre = barycentre(coordinates(made->complex.points, simplex));
+    const Point centre = barycentre(made->complex.points, simplex);
     const bool is_kept = !is_enclosed || regions.locate(centre) == Where::kInside;
     (is_kept ? filled.mesh.simplices : filled.rest).push_back(simplex);
   }

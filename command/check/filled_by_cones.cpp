@@ -116,13 +116,13 @@ std::optional<Point> centre_of(const PointSet& points, const WallSet& walls,
                                const std::vector<PocketSide>& sides) {
   std::set<Vertex> vertices;
   for (const PocketSide& side : sides) vertices.insert(side.triangle.begin(), side.triangle.end());
-  const Point centre = barycentre(coordinates(points, {vertices.begin(), vertices.end()}));
+  const Point centre = barycentre(points, {vertices.begin(), vertices.end()});
   if (sees_all(walls, sides, centre)) return centre;
   constexpr std::size_t kMost = 24;
   for (std::size_t i = 0; i < std::min(kMost, sides.size()); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const Point middle = barycentre({barycentre(coordinates(points, sides[i].triangle)),
-                                       barycentre(coordinates(points, sides[j].triangle))});
+      const Point middle = barycentre(
+          {barycentre(points, sides[i].triangle), barycentre(points, sides[j].triangle)});
       if (sees_all(walls, sides, middle)) return middle;
     }
   }

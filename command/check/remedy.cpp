@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
@@ -118,8 +119,7 @@ std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
     if (const auto polygon = lone_polygon(violation.witness, domain)) missing.push_back(*polygon);
   }
   if (missing.empty()) return std::nullopt;
-  std::sort(missing.begin(), missing.end());
-  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  keep_each_once(missing);
   const std::string first = domain.domain.polygon_name(missing.front());
   if (missing.size() == 1) {
     return fmt::format(

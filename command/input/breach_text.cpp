@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/number_text.hpp"
 
@@ -227,8 +228,7 @@ Mesh skeleton(const formats::DomainFile& file) {
     for_each_edge(polygon, [&](Simplex edge) { edges.push_back(std::move(edge)); });
   }
   for (Simplex& edge : edges) edge = sorted(std::move(edge));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  keep_each_once(edges);
   mesh.simplices = IndexLists(edges);
   return mesh;
 }

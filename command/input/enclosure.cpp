@@ -198,8 +198,8 @@ std::set<Simplex> dangling_walls(const Regions& regions) {
   return dangling;
 }
 
-// Which polygons consist of such walls, and which of these and of others: a bridge over the mouth
-// of a tunnel bounds what is beside the tunnel.
+// The polygons of which all walls are such, and those of which some are: a bridge over the mouth of
+// a tunnel also bounds what is beside the tunnel.
 struct Dangling {
   std::vector<std::size_t> whole = {};
   std::vector<std::size_t> in_part = {};

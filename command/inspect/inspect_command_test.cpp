@@ -258,25 +258,17 @@ struct Session {
   double seconds_to_end = 0;  // after the interrupt
 };
 
-Session interrupted(std::vector<std::string> arguments, const std::string& awaited) {
+Session interrupted(const std::vector<std::string>& arguments, const std::string& awaited) {
   const ScratchFolder folder;
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   REQUIRE(terminal >= 0);
   REQUIRE(grantpt(terminal) == 0);
   REQUIRE(unlockpt(terminal) == 0);
   const int end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
-  arguments.insert(arguments.begin(), CIRCUMSPECT_COMMAND);
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 1, folder.path("out").c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&files, end, 2);
-  pid_t process = 0;
-  REQUIRE(posix_spawn(&process, CIRCUMSPECT_COMMAND, &files, nullptr, argv.data(), environ) == 0);
-  posix_spawn_file_actions_destroy(&files);
+  Streams streams;
+  streams.write(1, folder.path("out"));
+  streams.copy(2, end);
+  const pid_t process = start(arguments, streams);
   close(end);
   Session session;
   std::chrono::steady_clock::time_point sent;
@@ -292,13 +284,11 @@ Session interrupted(std::vector<std::string> arguments, const std::string& await
     sent = std::chrono::steady_clock::now();
     kill(process, SIGINT);
   }
-  int status = 0;
-  waitpid(process, &status, 0);
+  session.exit_code = exit_code_of(process);
   close(terminal);
   REQUIRE(is_sent);
   session.seconds_to_end =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - sent).count();
-  session.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   session.out = contents(folder.path("out"));
   return session;
 }

@@ -68,7 +68,7 @@ void add_options(CLI::App& app, MpiOptions& options) {
        {"--threads", "N", cli::into(options.check.threads, cli::whole_number(1, 1024)),
         "Threads of each rank (default: 1)"},
        {"--format", "text|json", cli::into(options.format, cli::one_of_words({"text", "json"})),
-        "As what the verdict is printed (default: text)"},
+        "How the verdict is printed (default: text)"},
        {"--statistics", "", cli::flag(options.statistics),
         "Also print, to standard error, what each phase cost each rank"}});
 }

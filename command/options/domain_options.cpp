@@ -111,8 +111,8 @@ void add_merge_option(CLI::App& command, DomainOptions& options, bool takes_angl
           .add_option(
               kMerge, reader,
               "Join polygons that share a segment and lie in one plane, as tetgen -p does. The "
-              "mesh "
-              "need not have the segments between them, unless the file lists these as segments" +
+              "mesh need not have the segments between them, unless the file lists these as "
+              "segments" +
                   with_angle)
           ->expected(0)
           ->type_name("ANGLE")  // it is not a flag

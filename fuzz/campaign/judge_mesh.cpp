@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fuzz/campaign/judge_diagram.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/arrangement.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
@@ -24,8 +25,7 @@ Outcome other_points(const std::string& message) {
 }
 
 std::vector<Point> sorted_set(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  keep_each_once(points);
   return points;
 }
 

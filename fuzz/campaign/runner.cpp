@@ -74,10 +74,7 @@ std::string why_not_read(const std::string& path) {
 // The beginning of a file, about as much as a person reads.
 std::string beginning_of(const std::string& path) {
   constexpr std::size_t kBytes = 8000;
-  struct stat status {};
-  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) {
-    return "";
-  }
+  if (!is_plain_file(path)) return "";
   std::string text(kBytes, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(text.data(), static_cast<std::streamsize>(kBytes));
@@ -407,10 +404,10 @@ std::optional<std::string> Runner::reason_in_time(const Input& input) const {
                      kJudgingMemory * subject_.limits.memory, is_interrupted_);
   switch (apart.end) {
     case Apart::End::kTimeLimit:
-      return fmt::format("to look at the domain takes longer than {:g} s (--limit-judging)",
+      return fmt::format("examining the domain takes longer than {:g} s (--limit-judging)",
                          subject_.judging_seconds);
     case Apart::End::kMemoryLimit:
-      return "to look at the domain takes more memory than there is for it (--limit-memory, four "
+      return "examining the domain takes more memory than there is for it (--limit-memory, four "
              "times)";
     case Apart::End::kInterrupted:
       return std::nullopt;
@@ -432,7 +429,7 @@ Outcome Runner::judged_in_time(const Input& input, const std::string& mesh) cons
                                      kJudgingMemory * subject_.limits.memory, is_interrupted_);
   const auto limited = [&](const std::string& what) {
     return Outcome{OutcomeKind::kJudgingLimit, word(OutcomeKind::kJudgingLimit),
-                   subject_.mesh_name + ": to judge it takes " + what, indented(said())};
+                   subject_.mesh_name + ": judging it takes " + what, indented(said())};
   };
   switch (apart.end) {
     case Apart::End::kTimeLimit:

@@ -303,7 +303,7 @@ TEST_CASE("looking at a domain has the limits of judging, and flat domains can b
   subject.judging_seconds = 1e-9;
   const Outcome late = Runner(subject).run(whole);
   CHECK(late.kind == OutcomeKind::kSkipped);
-  CHECK(late.text == "to look at the domain takes longer than 1e-09 s (--limit-judging)");
+  CHECK(late.text == "examining the domain takes longer than 1e-09 s (--limit-judging)");
 }
 
 TEST_CASE("no case finds what the one before it left") {
@@ -347,7 +347,7 @@ TEST_CASE("judging has a limit, an outcome of its own, and can be interrupted") 
   const Outcome outcome = Runner(subject).run(kTetrahedron);
   CHECK(outcome.kind == OutcomeKind::kJudgingLimit);
   CHECK(outcome.signature == "judging-limit");
-  CHECK(outcome.text == "x.ele: to judge it takes longer than 0.05 s (--limit-judging)");
+  CHECK(outcome.text == "x.ele: judging it takes longer than 0.05 s (--limit-judging)");
   subject.judging_seconds = 100;
   Runner runner(subject);
   std::thread other([&] {

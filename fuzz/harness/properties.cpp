@@ -12,6 +12,7 @@
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
 #include "inputs/cases.hpp"
+#include "inputs/dice.hpp"
 #include "inputs/minimise.hpp"
 #include "kernel/exact/point.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
@@ -84,13 +85,6 @@ PointArray reordered(const PointArray& points, const std::vector<std::int64_t>& 
   return moved;
 }
 
-std::vector<std::int64_t> shuffled(std::vector<std::int64_t> numbers, std::uint64_t seed) {
-  for (std::size_t left = numbers.size(); left > 1; --left) {
-    std::swap(numbers[left - 1], numbers[mixed_seed(seed, left) % left]);
-  }
-  return numbers;
-}
-
 bool survives(double value, int exponent) {
   const double image = std::ldexp(value, exponent);
   return std::isfinite(image) && std::ldexp(image, -exponent) == value;
@@ -152,7 +146,9 @@ Broken broken_rule(const Triangulator& subject, Property property, const Propert
   if (property == Property::kSimilarity) {
     return compared(property, given, answer_to(subject, options, similar(points)), points, numbers);
   }
-  const std::vector<std::int64_t> order = shuffled(numbers, seed);
+  std::vector<std::int64_t> order = numbers;
+  generators::Dice dice(seed);
+  generators::shuffle(order, dice);
   return compared(property, given, answer_to(subject, options, reordered(points, order)), points,
                   order);
 }

@@ -86,8 +86,7 @@ PolygonLines polygon_of(const PointSet& points, const std::vector<Simplex>& part
   const std::set<Simplex> own(part.begin(), part.end());
   for (const Simplex& triangle : polygon_triangles(points, axes, {vertices.begin(), vertices.end()},
                                                    {edges.begin(), edges.end()}, {})) {
-    if (!own.contains(triangle))
-      polygon.hole_seeds.push_back(barycentre(coordinates(points, triangle)));
+    if (!own.contains(triangle)) polygon.hole_seeds.push_back(barycentre(points, triangle));
   }
   return polygon;
 }

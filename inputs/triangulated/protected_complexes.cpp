@@ -187,7 +187,7 @@ std::vector<Point> cavity_seeds(Dice& dice, const PointSet& points,
       }
     }
     if (reaches_hull || dice.below(2) == 0) continue;
-    seeds.push_back(barycentre(coordinates(points, first)));
+    seeds.push_back(barycentre(points, first));
   }
   return seeds;
 }

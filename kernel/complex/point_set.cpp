@@ -57,6 +57,16 @@ std::vector<Point> coordinates(const PointSet& points, const Simplex& simplex) {
   return vertices;
 }
 
+Point barycentre(const PointSet& points, const Simplex& simplex) {
+  return barycentre(coordinates(points, simplex));
+}
+
+Simplex positively_oriented(const PointSet& points, std::span<const std::size_t> axes,
+                            Simplex simplex) {
+  if (orientation(points.configuration(), axes, simplex) < 0) std::swap(simplex[0], simplex[1]);
+  return simplex;
+}
+
 Simplex positively_oriented(const PointSet& points, Simplex simplex) {
   if (orientation(points.configuration(), simplex) < 0) std::swap(simplex[0], simplex[1]);
   return simplex;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,9 +58,15 @@ class PointSet {
 // The coordinates of the vertices of a simplex. Requires: the set names all of them.
 std::vector<Point> coordinates(const PointSet& points, const Simplex& simplex);
 
+// The arithmetic mean of its vertices, a point of its relative interior.
+Point barycentre(const PointSet& points, const Simplex& simplex);
+
 // The simplex with two vertices swapped if that makes its orientation positive.
 // Requires: simplex.size() == points.dimension() + 1, not degenerate; a single vertex is positive.
 Simplex positively_oriented(const PointSet& points, Simplex simplex);
+// The same on some axes, a coordinate system of the simplex's affine hull.
+Simplex positively_oriented(const PointSet& points, std::span<const std::size_t> axes,
+                            Simplex simplex);
 
 // The affine hull of some points of a set: where a face of a polyhedral complex lives. Book:
 // Section 4.1 ("if the affine hull of S is k-dimensional …"). k+1 affinely independent points of

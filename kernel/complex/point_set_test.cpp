@@ -8,6 +8,7 @@
 #include "inputs/plain_algebra.hpp"
 #include "kernel/complex/circumball.hpp"
 #include "kernel/complex/improper_intersection.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
@@ -217,8 +218,7 @@ bool is_circuit_between(const PointSet& points, const Simplex& set, const Simple
 bool meet_improperly(const PointSet& points, const Simplex& a, const Simplex& b) {
   Simplex both = a;
   both.insert(both.end(), b.begin(), b.end());
-  std::sort(both.begin(), both.end());
-  both.erase(std::unique(both.begin(), both.end()), both.end());
+  keep_each_once(both);
   const std::size_t most = std::min(both.size(), points.ambient_dimension() + 2);
   for (std::size_t size = 3; size <= most; ++size) {
     for (const std::vector<std::size_t>& places : generators::subsets(both.size(), size)) {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
+
 namespace circumspect {
 
 Simplex sorted(Simplex simplex) {
@@ -37,6 +39,12 @@ bool contains(const Simplex& simplex, Vertex vertex) {
 
 bool has_face(const Simplex& simplex, const Simplex& face) {
   return std::all_of(face.begin(), face.end(), [&](Vertex v) { return contains(simplex, v); });
+}
+
+std::size_t count_with_face(const std::vector<Simplex>& simplices, const Simplex& face) {
+  return static_cast<std::size_t>(
+      std::count_if(simplices.begin(), simplices.end(),
+                    [&](const Simplex& simplex) { return has_face(simplex, face); }));
 }
 
 bool has_repeated_vertex(const Simplex& simplex) {
@@ -92,8 +100,7 @@ std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t
   for (const Simplex& simplex : simplices) {
     for (Simplex& face : faces(simplex, size)) found.push_back(sorted(std::move(face)));
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_each_once(found);
   return found;
 }
 

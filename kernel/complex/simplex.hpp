@@ -27,6 +27,8 @@ Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex);
 bool contains(const Simplex& simplex, Vertex vertex);
 // Are all vertices of `face` vertices of the simplex?
 bool has_face(const Simplex& simplex, const Simplex& face);
+// How many of the simplices have this face?
+std::size_t count_with_face(const std::vector<Simplex>& simplices, const Simplex& face);
 bool has_repeated_vertex(const Simplex& simplex);
 
 // Is the permutation that sorts the vertices odd? Requires: no repeated vertex.

@@ -126,6 +126,8 @@ TEST_CASE("faces: of a simplex in its order, the smaller first; of several each 
   const std::vector<Simplex> two = {{3, 2, 1}, {0, 1, 2}, {5}};
   CHECK(faces_of(two, 2) == std::vector<Simplex>{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}});
   CHECK(faces_of(two, 1) == std::vector<Simplex>{{0}, {1}, {2}, {3}, {5}});
+  CHECK(count_with_face(two, {2, 1}) == 2);
+  CHECK(count_with_face(two, {0, 1, 3}) == 0);
 }
 
 TEST_CASE("subsets: the pairs of four, in lexicographic order") {

@@ -11,6 +11,7 @@
 #include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/each_once.hpp"
 
 namespace circumspect {
 
@@ -59,8 +60,7 @@ inline std::vector<std::size_t> near_line(const BoxIndex& index, const Point& fr
   found = near_line(index, from, middle, halvings - 1);
   const std::vector<std::size_t> rest = near_line(index, middle, to, halvings - 1);
   found.insert(found.end(), rest.begin(), rest.end());
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_each_once(found);
   return found;
 }
 

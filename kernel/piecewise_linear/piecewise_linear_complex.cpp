@@ -6,6 +6,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -49,8 +50,7 @@ class Assembly {
     const std::vector<Simplex> slits = segments_between(inside);
     const std::size_t count = vertices.size();
     vertices.insert(vertices.end(), inside.begin(), inside.end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    keep_each_once(vertices);
     const bool has_slits = std::any_of(slits.begin(), slits.end(),
                                        [&](const Simplex& s) { return !listed.contains(s); });
     if (vertices.size() > count || has_slits) {
@@ -129,16 +129,6 @@ std::vector<Simplex> walls(const PiecewiseLinearComplex& complex) {
   }
   return triangles;
 }
-
-namespace {
-
-template <typename T>
-void keep_each_once(std::vector<T>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
-}  // namespace
 
 std::set<Simplex> edges_of(const PolygonLines& polygon) {
   std::set<Simplex> edges;

@@ -9,6 +9,7 @@
 
 #include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
 
@@ -246,8 +247,7 @@ std::vector<Simplex> polygon_triangles(const PointSet& points, const std::vector
                                        const std::vector<Simplex>& slits) {
   std::vector<Simplex> edges = segments;
   edges.insert(edges.end(), slits.begin(), slits.end());
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  keep_each_once(edges);
   const std::vector<Simplex> triangles = triangulate_by_sweep(points, axes, vertices, edges);
   Flood flood(triangles, segments);
   flood.from_outside();

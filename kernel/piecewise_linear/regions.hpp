@@ -112,6 +112,10 @@ class Regions {
 
   // The region in front of a wall (its back: of wall.reverse()). Requires: it is a wall.
   std::size_t in_front_of(const OrientedFacet& wall) const;
+  // Is that region inside? Requires: it is a wall.
+  bool faces_inside(const OrientedFacet& wall) const {
+    return where(in_front_of(wall)) == Where::kInside;
+  }
   // The regions behind and in front of a wall, by its place among all walls.
   std::array<std::size_t, 2> beside(std::size_t wall) const {
     return {region_of_side_[2 * wall + 1], region_of_side_[2 * wall]};

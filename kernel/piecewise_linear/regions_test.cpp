@@ -70,7 +70,8 @@ TEST_CASE("regions: a box has an inside, and walls face it") {
     const OrientedFacet facet = OrientedFacet::of(wall);
     CHECK(regions.in_front_of(facet) != regions.in_front_of(facet.reverse()));
     const int side = regions.walls().side_of(regions.walls().place_of(wall), {1, 1, 1});
-    CHECK(regions.where(regions.in_front_of(side > 0 ? facet : facet.reverse())) == Where::kInside);
+    CHECK(regions.faces_inside(facet) == (side > 0));
+    CHECK(regions.faces_inside(facet.reverse()) == (side < 0));
   }
 }
 
@@ -129,8 +130,9 @@ TEST_CASE("regions: dangling walls have one region on both sides") {
     const OrientedFacet facet = OrientedFacet::of(wall);
     CHECK(regions.in_front_of(facet) == regions.in_front_of(facet.reverse()));
   }
-  CHECK(regions.where(regions.in_front_of(OrientedFacet::of({8, 9, 10}))) == Where::kInside);
+  CHECK(regions.faces_inside(OrientedFacet::of({8, 9, 10})));
   CHECK(regions.where(regions.in_front_of(OrientedFacet::of({1, 11, 12}))) == Where::kOutside);
+  CHECK(!regions.faces_inside(OrientedFacet::of({1, 11, 12})));
 }
 
 TEST_CASE("regions: two boxes that share a face, an edge, a vertex") {

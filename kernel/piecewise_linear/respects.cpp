@@ -100,7 +100,7 @@ class Respecting {
 
   bool is_in_domain() const {
     if (simplex_.size() == 2 && is_segment(complex_, simplex_)) return true;
-    const auto region = regions_.region_at(barycentre(coordinates(complex_.points, simplex_)));
+    const auto region = regions_.region_at(barycentre(complex_.points, simplex_));
     return !region || regions_.where(*region) == Where::kInside;
   }
 

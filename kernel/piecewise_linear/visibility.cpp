@@ -49,7 +49,7 @@ class Visibility {
   const PointSet& points() const { return complex_.points; }
   std::size_t dimension() const { return complex_.ambient_dimension(); }
   const std::vector<Simplex>& walls() const { return regions_.walls().simplices(); }
-  Point centre(const Simplex& simplex) const { return barycentre(coordinates(points(), simplex)); }
+  Point centre(const Simplex& simplex) const { return barycentre(points(), simplex); }
   bool is_segment(const Simplex& edge) const {
     return std::binary_search(complex_.segments.begin(), complex_.segments.end(), edge);
   }
@@ -239,7 +239,7 @@ class Visibility {
     if (at.empty()) return true;
     const int side = regions_.walls().side_of(at.front(), points()[v_]);
     const OrientedFacet front{walls()[at.front()], side < 0};
-    return regions_.where(regions_.in_front_of(front)) == Where::kInside;
+    return regions_.faces_inside(front);
   }
 
   // If σ is an edge in space, the middle of one line of sight decides for all. (In the hull kind

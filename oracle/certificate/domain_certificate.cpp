@@ -141,6 +141,21 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonP
   return polygon;
 }
 
+tl::expected<std::vector<PolygonCertificate>, std::string> polygon_certificates(
+    const PiecewiseLinearComplex& complex, const ScaledPoints& scaled_points,
+    const ListedSegments& listed, const HullFillers& fillers) {
+  const PolygonPlace place{complex, complex.points, scaled_points, [](Vertex) { return true; },
+                           [&](std::size_t segment) { return complex.segments[segment]; }};
+  std::vector<PolygonCertificate> made;
+  for (std::size_t cell = 0; cell < complex.polygons.size(); ++cell) {
+    auto polygon =
+        polygon_certificate(place, cell, listed[cell], complex.polygons[cell].triangles, fillers);
+    if (!polygon) return tl::unexpected(polygon.error());
+    made.push_back(std::move(*polygon));
+  }
+  return made;
+}
+
 namespace {
 
 // Where in the mesh the facets are, first in what is kept.

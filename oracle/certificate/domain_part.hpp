@@ -59,4 +59,9 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonP
                                                                   const std::vector<Simplex>& tiles,
                                                                   const HullFillers& fillers);
 
+// All polygons of a complex, by its own triangles and with its own points.
+tl::expected<std::vector<PolygonCertificate>, std::string> polygon_certificates(
+    const PiecewiseLinearComplex& complex, const ScaledPoints& scaled_points,
+    const ListedSegments& listed, const HullFillers& fillers);
+
 }  // namespace circumspect::certificate

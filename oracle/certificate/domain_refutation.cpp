@@ -74,14 +74,9 @@ tl::expected<WholeDomain, std::string> whole_domain(
     }
   }
   for (const Point& seed : complex.hole_seeds) made.holes.push_back(scaled(own, seed));
-  const PolygonPlace place{complex, complex.points, own, [](Vertex) { return true; },
-                           [&](std::size_t segment) { return complex.segments[segment]; }};
-  for (std::size_t cell = 0; cell < complex.polygons.size(); ++cell) {
-    auto polygon =
-        polygon_certificate(place, cell, listed[cell], complex.polygons[cell].triangles, fillers);
-    if (!polygon) return tl::unexpected(polygon.error());
-    made.polygons.push_back(std::move(*polygon));
-  }
+  auto polygons = polygon_certificates(complex, own, listed, fillers);
+  if (!polygons) return tl::unexpected(polygons.error());
+  made.polygons = std::move(*polygons);
   return made;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/certificate/complex_certificate.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/model/rule.hpp"
@@ -16,8 +17,7 @@ tl::expected<EqualPoints, std::string> equal_points_of(const Mesh& mesh, const V
   assert(named != verdict.violations().end());
   const std::vector<Point> all = mesh.exact_points();
   std::vector<Point> different = all;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
+  keep_each_once(different);
   const PointSet set(different);
   const std::size_t dimension = set.ambient_dimension();
   if ((dimension != 2 && dimension != 3) || set.dimension() != static_cast<int>(dimension)) {

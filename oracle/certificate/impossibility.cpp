@@ -289,7 +289,7 @@ class Search {
     const Simplex& candidate = candidates_[k];
     Simplex facet = candidate;
     facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
-    const Point centre = circumspect::barycentre(coordinates(complex_.points, facet));
+    const Point centre = circumspect::barycentre(complex_.points, facet);
     if (complex_.kind == DomainKind::kEnclosed && is_in_wall(facet, centre)) return;
     Clause clause = {-literal(k)};
     std::vector<std::size_t> numbers;
@@ -372,14 +372,9 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, 
                      .segments = complex.segments,
                      .mesh = std::move(*mesh)};
   for (const Hole& hole : made.mesh.part.holes) made.holes.push_back(hole.seed);
-  const PolygonPlace place{complex, complex.points, made.points, [](Vertex) { return true; },
-                           [&](std::size_t segment) { return complex.segments[segment]; }};
-  for (std::size_t cell = 0; cell < complex.polygons.size(); ++cell) {
-    auto polygon =
-        polygon_certificate(place, cell, listed[cell], complex.polygons[cell].triangles, fillers);
-    if (!polygon) return tl::unexpected(polygon.error());
-    made.polygons.push_back(std::move(*polygon));
-  }
+  auto polygons = polygon_certificates(complex, made.points, listed, fillers);
+  if (!polygons) return tl::unexpected(polygons.error());
+  made.polygons = std::move(*polygons);
   Search search(complex, made.points, claim == Claim::kCdt);
   search.add_clauses();
   for (;;) {

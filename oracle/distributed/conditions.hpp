@@ -130,7 +130,7 @@ class FacetMeeting {
     std::uint64_t hash() const { return hash_of(vertices); }
     bool same(const Item& other) const { return vertices == other.vertices; }
   };
-  // Two equal facets; without a rank: the other does not exist.
+  // Two equal facets. If `other` names no rank, there is no second one.
   struct Pair {
     std::uint32_t facet;  // of whom it is posted to
     FacetName other;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/distributed/local_mesh.hpp"
 #include "oracle/distributed/ranks.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
@@ -27,8 +28,7 @@ class Gathered {
            const std::vector<NumberedPoint<kDimension>>& further)
       : first_index_(mesh.dealt().first_index), weighted_(mesh.is_weighted()) {
     for (FacetName& name : wanted) name = simplex_of_name(name);
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    keep_each_once(wanted);
     std::vector<std::vector<std::uint32_t>> asked(ranks.size());
     if (ranks.is_first()) {
       for (const FacetName name : wanted) {

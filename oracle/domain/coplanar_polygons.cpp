@@ -9,6 +9,7 @@
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
@@ -17,12 +18,6 @@
 
 namespace circumspect {
 namespace {
-
-template <typename T>
-void sort_each_once(std::vector<T>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 bool lie_in_one_plane(const Configuration& points, const Polygon& a, const Polygon& b) {
   const Simplex& other = b.triangles.front();
@@ -92,8 +87,7 @@ std::vector<Point> seeds_in_holes(const PointSet& points, const Polygon& polygon
   }
   std::vector<Point> seeds;
   for (std::size_t t = 0; t < bare.size(); ++t) {
-    if (holes.find(t) == t && !is_open[t])
-      seeds.push_back(barycentre(coordinates(points, bare[t])));
+    if (holes.find(t) == t && !is_open[t]) seeds.push_back(barycentre(points, bare[t]));
   }
   return seeds;
 }
@@ -205,8 +199,8 @@ class JoiningOfPolygons {
       append(polygon.triangles, member.triangles);
       of_members.insert(member.segments.begin(), member.segments.end());
     }
-    sort_each_once(polygon.vertices);
-    sort_each_once(polygon.triangles);
+    keep_each_once(polygon.vertices);
+    keep_each_once(polygon.triangles);
     std::set_difference(of_members.begin(), of_members.end(), removed.begin(), removed.end(),
                         std::back_inserter(polygon.segments));
     polygon.hole_seeds = seeds_in_holes(complex_.points, polygon, of_members);
@@ -244,7 +238,7 @@ std::vector<Simplex> listed_segments(const PiecewiseLinearInput& input) {
       if (line.size() == 2) listed.push_back(sorted(line));
     }
   }
-  sort_each_once(listed);
+  keep_each_once(listed);
   return listed;
 }
 

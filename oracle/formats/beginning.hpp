@@ -25,7 +25,7 @@ struct Beginning {
   std::size_t on_second_line = 0;
   // If the first line is the header of a .node file.
   std::size_t columns_announced = 0;
-  // Says the user which points a mesh is about? A list of simplices is one only then.
+  // Does the user say which points a mesh is about? A list of simplices is one only then.
   bool has_points = false;
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/number_text.hpp"
 
@@ -113,8 +114,7 @@ std::vector<Vertex> nodes_between_corners(const ElementFile& file) {
     }
   };
   add(file.curved);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  keep_each_once(nodes);
   std::vector<Vertex> vertices = std::exchange(nodes, {});
   for (const SimplexFile* const list : {&file.edges, &file.triangles, &file.tetrahedra}) add(*list);
   std::sort(nodes.begin(), nodes.end());

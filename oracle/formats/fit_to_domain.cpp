@@ -2,6 +2,7 @@
 #include <iterator>
 #include <set>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
@@ -21,8 +22,7 @@ class ListedFaces {
         if (names(v)) is_listed_at_[static_cast<std::size_t>(v)] = true;
       }
     }
-    std::sort(faces_.begin(), faces_.end());
-    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    keep_each_once(faces_);
     of_kept_.resize(faces_.size());
     of_left_.resize(faces_.size());
   }

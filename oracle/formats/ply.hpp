@@ -45,7 +45,7 @@ Result<ElementFile> read_ply_elements(const Source& source, NumberReading readin
 // write_gmsh.
 void write_ply(std::ostream& out, const ElementFile& file);
 
-// A surface. Faces are polygons of one line. Errors: also, a file without the element face.
+// A surface. Faces are polygons of one line. A file without the element `face` is an error, too.
 Result<DomainFile> read_ply(const Source& source, NumberReading reading);
 
 // The header of a PLY file: the elements, their numbers and their properties.

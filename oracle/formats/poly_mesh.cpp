@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/formats/bytes/packed.hpp"
 #include "oracle/formats/foam_file.hpp"
 #include "platform/files.hpp"
@@ -134,8 +135,7 @@ std::optional<Simplex> PolyMeshReader::tetrahedron_of(std::size_t cell) const {
     std::sort(sides[i].begin(), sides[i].end());
     if (std::adjacent_find(sides[i].begin(), sides[i].end()) != sides[i].end()) return std::nullopt;
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  keep_each_once(vertices);
   std::sort(sides.begin(), sides.end());
   if (vertices.size() != 4 || std::unique(sides.begin(), sides.end()) != sides.end()) {
     return std::nullopt;
@@ -163,8 +163,7 @@ void PolyMeshReader::add_cell(std::size_t cell) {
     const Simplex face = faces_[faces_of_cells_[i]];
     vertices.insert(vertices.end(), face.begin(), face.end());
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  keep_each_once(vertices);
   add_element(file_, ElementShape::kOtherSolid, vertices,
               "cell " + std::to_string(cell) + " of " + std::to_string(ends_[cell] - begin) +
                   " faces and " + std::to_string(vertices.size()) + " vertices",

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/complex/adjacency.hpp"
 #include "oracle/judge/complex/by_boundary.hpp"
 #include "oracle/judge/fast/box_tree.hpp"
@@ -35,8 +36,7 @@ class BoundaryOf {
       corners.insert(corners.end(), facet.begin(), facet.end());
     }
     vertices_ = corners;
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    keep_each_once(vertices_);
     facets_.reserve(facets.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (i % kDimension == 0) facets_.emplace_back().reserve(kDimension);
@@ -152,8 +152,7 @@ class BoundaryOf {
       const auto [at, is_new] = first.emplace(facets_[i], i);
       if (!is_new) found.insert(found.end(), {at->second, i});
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    keep_each_once(found);
     return found;
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/boundary_of.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
@@ -20,11 +21,6 @@ namespace circumspect::check {
 namespace {
 
 using Places = std::vector<std::size_t>;
-
-void make_set(Places& places) {
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-}
 
 // Some simplices of a mesh, in rows of their own.
 template <std::size_t kDimension, typename Index>
@@ -130,7 +126,7 @@ class Searched {
       const bool is_sound = !std::binary_search(faults.unsound.begin(), faults.unsound.end(), s);
       if (is_sound && !known.insert(set_of(s)).second) apart.push_back(s);
     }
-    make_set(apart);
+    keep_each_once(apart);
     Places all(merged_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::set_difference(all.begin(), all.end(), apart.begin(), apart.end(),
@@ -201,7 +197,7 @@ class Searched {
     std::vector<bool> is_left_out(all.size(), false);
     Places left_out = with_faulty_facets(faults);
     for (int round = 1;; ++round) {
-      make_set(left_out);
+      keep_each_once(left_out);
       if (round == kRounds || 2 * left_out.size() > all.size()) {
         left_out.resize(all.size());
         std::iota(left_out.begin(), left_out.end(), std::size_t{0});

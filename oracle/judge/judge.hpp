@@ -17,16 +17,15 @@ struct EqualPoints {
   std::vector<Duplicate> repeated;
 };
 
-// Does the claim hold of the mesh? By lemma, where coordinates (and weights, if they count) are
-// doubles, simplices are in rows, and d is 2 or 3, the fast engine (oracle/judge/fast) is asked
-// first. It decides where the claim holds, and elsewhere lists what is at fault; that is looked at
-// again, exactly. Of a mesh of a domain it finds out what is linear in the simplices. The exact
-// checkers judge everything else. The verdict is the same whoever finds it: Verdict::course tells
-// who.
+// Does the claim hold of the mesh? By lemma, the fast engine (oracle/judge/fast) is asked first if
+// coordinates (and weights, if they count) are doubles, simplices are in rows, and d is 2 or 3. It
+// says that the claim holds, or lists what is at fault, which is then looked at again, exactly. For
+// a mesh of a domain it decides what takes linear time. The exact checkers judge everything else.
+// The verdict is the same whoever finds it; Verdict::course tells who did.
 //
-// Equal points are an error, unless the claim is found to hold, or to fail by facets that are not
-// locally Delaunay alone: then there are none. So nobody has to sort the points of a large mesh
-// that holds. Of the claim `complex` they break a rule, and count as one for the rest.
+// Equal points are an error, unless the claim is found to hold, or to fail by facets alone that are
+// not locally Delaunay: then there are none. So nobody has to sort the points of a large mesh that
+// holds. For the claim `complex` they break a rule, and count as one for the rest.
 // Requires: `domain` if and only if the claim is about one; a valid domain (validity.hpp), and a
 // mesh without points or with points of its dimension. No weights for `delaunay` and for claims
 // about a domain.

@@ -168,11 +168,7 @@ std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
   Difference result;
   const auto place_in_b = matched(*points_of_a, *points_of_b, result);
   if (!place_in_b) return std::nullopt;
-  CellDifference cells = difference_of(a, b, *place_in_b);
-  result.simplices_only_in_a = std::move(cells.only_in_a);
-  result.simplices_only_in_b = std::move(cells.only_in_b);
-  result.b_has_too = std::move(cells.b_has_too);
-  result.a_has_too = std::move(cells.a_has_too);
+  result.add(difference_of(a, b, *place_in_b));
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/definition/complex.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/model/exact_mesh.hpp"
@@ -21,8 +22,7 @@ class Part {
   Part(const fast::MeshView<kDimension, Index>& whole, std::vector<std::size_t> simplices,
        const std::vector<std::size_t>& further_points)
       : whole_(whole), simplices_(std::move(simplices)), place_of_(whole.points(), kNone) {
-    std::sort(simplices_.begin(), simplices_.end());
-    simplices_.erase(std::unique(simplices_.begin(), simplices_.end()), simplices_.end());
+    keep_each_once(simplices_);
     for (const std::size_t s : simplices_) {
       for (const Index v : whole_.row(s)) {
         if (whole_.names_point(v)) place_of_[static_cast<std::size_t>(v)] = 0;

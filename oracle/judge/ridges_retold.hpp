@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/boundary.hpp"
 #include "oracle/judge/fast/faults.hpp"
@@ -67,8 +68,7 @@ class RidgeFault {
         add_simplex(facets[0]);
         add_simplex(facets[1]);
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    keep_each_once(all);
     return all;
   }
 

@@ -66,9 +66,7 @@ void judge_listed_faces(const Mesh& mesh, By by, Verdict& verdict) {
       continue;
     }
     verdict.add(Rule::kStrayFace,
-                {.face = face,
-                 .values = {{"index among the listed " + noun(face.size()),
-                             Rational(to_integer(static_cast<std::int64_t>(own)))}}});
+                {.face = face, .values = {{"index among the listed " + noun(face.size()), own}}});
   }
   verdict.complex->listed_faces = mesh.faces.size();
 }

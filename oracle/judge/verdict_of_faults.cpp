@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/part_of_mesh.hpp"
 #include "oracle/judge/points/simplices.hpp"
@@ -297,8 +298,7 @@ class Retold {
       for (const std::int64_t v : ridge->vertices) vertices.push_back(part_.place_of(v));
       faulty.insert(std::move(vertices));
     }
-    std::sort(facets.begin(), facets.end());
-    facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+    keep_each_once(facets);
     std::vector<BoundaryFacet> boundary;
     std::vector<Simplex> vertices_of_facets;
     for (const FacetUse& use : uses_of(facets)) {

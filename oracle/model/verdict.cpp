@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "kernel/exact/each_once.hpp"
+
 namespace circumspect {
 namespace {
 
@@ -53,8 +55,7 @@ void Verdict::name_in_whole(const std::vector<Vertex>& vertex_of,
 }
 
 void Verdict::count(Rule rule, const std::optional<Rational>& margin, Simplex named) {
-  std::sort(named.begin(), named.end());
-  named.erase(std::unique(named.begin(), named.end()), named.end());
+  keep_each_once(named);
   Tally& tally = tallies_[rule];
   if (tally.count == 0) {
     tally.in_all = named;

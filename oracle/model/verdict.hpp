@@ -1,10 +1,12 @@
 // The answer to a claim, and the witness that shows a broken rule.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kernel/complex/circumball.hpp"
@@ -19,10 +21,15 @@ namespace circumspect {
 
 // The evidence for a broken rule: enough to re-check it by hand.
 
-// An exact value with the name under which it is reported.
+// An exact value with the name under which it is reported: a rational number, a count or an index.
 struct NamedValue {
   std::string name;
   Rational value;
+
+  NamedValue(std::string as, Rational exact) : name(std::move(as)), value(std::move(exact)) {}
+  template <std::integral Number>
+  NamedValue(std::string as, Number whole)
+      : NamedValue(std::move(as), Rational(to_integer(whole))) {}
 };
 
 // A value that is not rational, such as an angle: the double next to it, as text.
@@ -101,6 +108,10 @@ struct SteinerPoints {
   std::size_t in_polygons = 0;
   std::size_t in_polyhedra = 0;
 
+  // Counts one in a cell of this dimension.
+  void add(int dimension) {
+    ++(dimension == 1 ? on_segments : dimension == 2 ? in_polygons : in_polyhedra);
+  }
   std::size_t count() const { return on_segments + in_polygons + in_polyhedra; }
 };
 

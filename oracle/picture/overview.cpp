@@ -54,11 +54,11 @@ std::optional<Spot> spot_of(const Witness& witness, const Mesh& mesh, const Doma
   if (!witness.vertices.empty()) return middle_of({witness.vertices.front()});
   if (domain == nullptr) return std::nullopt;
   const PointSet& points = domain->complex.points;
-  if (witness.domain_cell) return spot_of(barycentre(coordinates(points, *witness.domain_cell)));
+  if (witness.domain_cell) return spot_of(barycentre(points, *witness.domain_cell));
   if (witness.polygon) {
     const Polygon& polygon = domain->complex.polygons[*witness.polygon];
     if (!polygon.triangles.empty()) {
-      return spot_of(barycentre(coordinates(points, polygon.triangles.front())));
+      return spot_of(barycentre(points, polygon.triangles.front()));
     }
   }
   return std::nullopt;

@@ -39,7 +39,7 @@ std::vector<Place> places_of(const Witness& witness, const Mesh& mesh, const Dom
   if (witness.polygon) {
     for (const Simplex& triangle : domain->complex.polygons[*witness.polygon].triangles) {
       if (found.size() >= kMostPlaces) break;
-      found.push_back(place(barycentre(coordinates(points, triangle))));
+      found.push_back(place(barycentre(points, triangle)));
     }
   }
   return found;

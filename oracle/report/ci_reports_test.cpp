@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/complex/circumball.hpp"
+#include "kernel/exact/each_once.hpp"
 
 namespace circumspect::report {
 namespace {
@@ -111,8 +112,7 @@ TEST_CASE("sarif: each witness, each further rule, each cause and each error is 
   }
   CHECK(rules == std::vector<std::string>{"delaunay.facet-not-local", "triangulation.overlap",
                                           "cause.one-vertex", "input", "input", "undecided"});
-  std::sort(rules.begin(), rules.end());
-  rules.erase(std::unique(rules.begin(), rules.end()), rules.end());
+  keep_each_once(rules);
   std::vector<std::string> declared;
   for (const Json& rule : run["tool"]["driver"]["rules"]) {
     declared.push_back(rule["id"].get<std::string>());

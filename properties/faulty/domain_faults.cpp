@@ -69,7 +69,7 @@ Result with_a_hanging_node(const Input& input) {
       if (!contains(simplex, ends[0]) || !contains(simplex, ends[1])) continue;
       std::vector<Point> points = complex.points.points();
       const auto middle = static_cast<Vertex>(points.size());
-      points.push_back(barycentre(coordinates(complex.points, ends)));
+      points.push_back(barycentre(complex.points, ends));
       Simplex other = simplex;
       std::replace(simplex.begin(), simplex.end(), ends[0], middle);
       std::replace(other.begin(), other.end(), ends[1], middle);
@@ -92,7 +92,7 @@ Result with_a_polygon_tiled_twice(const Input& input) {
   const StarIndex star(mesh->simplices);
   const auto is_inner_wall = [&](const Simplex& facet) {
     return star.star(facet).size() == 2 &&
-           regions.locate(barycentre(coordinates(points, facet))) == Where::kOnWall;
+           regions.locate(barycentre(points, facet)) == Where::kOnWall;
   };
   for (Simplex& one : mesh->simplices) {
     for (Simplex& two : mesh->simplices) {
@@ -134,7 +134,7 @@ Result with_a_flip_too_many(const Input& input) {
   StarIndex star(mesh->simplices);
   for (const Simplex& facet : facets_of(mesh->simplices)) {
     if (star.star(facet).size() < 2 ||
-        regions.locate(barycentre(coordinates(complex.points, facet))) == Where::kOnWall) {
+        regions.locate(barycentre(complex.points, facet)) == Where::kOnWall) {
       continue;
     }
     const auto flip =
@@ -207,7 +207,7 @@ Result of_some_regions(const Input& input, Keeps keeps) {
   if (!mesh || mesh->simplices.empty()) return std::nullopt;
   const Regions regions(complex);
   const auto region = [&](const Simplex& simplex) {
-    return regions.region_at(barycentre(coordinates(complex.points, simplex)));
+    return regions.region_at(barycentre(complex.points, simplex));
   };
   for (const Simplex& facet : facets_of(mesh->simplices)) {
     if (!region(facet)) mesh->faces.push_back(facet);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
 #include "reference/delaunay/flip.hpp"
@@ -101,8 +102,7 @@ SimplexArray in_two_halves(const PointArray& points, std::size_t overlap) {
       both.push_back(std::move(simplex));
     }
   }
-  std::sort(both.begin(), both.end());
-  both.erase(std::unique(both.begin(), both.end()), both.end());
+  keep_each_once(both);
   return both;
 }
 

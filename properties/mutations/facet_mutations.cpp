@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/exact/each_once.hpp"
 #include "properties/mutations/catalogue.hpp"
 
 namespace circumspect::properties {
@@ -18,8 +19,7 @@ Row row_of(const ArrayMesh& mesh, std::size_t s) {
 }
 
 void drop(ArrayMesh& mesh, std::vector<std::size_t> simplices) {
-  std::sort(simplices.begin(), simplices.end());
-  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  keep_each_once(simplices);
   for (auto s = simplices.rbegin(); s != simplices.rend(); ++s) {
     const auto begin = mesh.simplices.begin() + static_cast<std::ptrdiff_t>(*s * mesh.width());
     mesh.simplices.erase(begin, begin + static_cast<std::ptrdiff_t>(mesh.width()));

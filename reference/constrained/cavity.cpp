@@ -124,7 +124,7 @@ std::set<Simplex> facets_included_in(const StarIndex& tetrahedra, const PolygonI
       for (std::size_t place = 0; place < tetrahedron.size(); ++place) {
         const Simplex facet = facet_opposite(tetrahedron, place);
         if (contains(facet, v) && polygon.is_coplanar(facet) &&
-            polygon.is_inside_near(v, barycentre(coordinates(polygon.points(), facet)))) {
+            polygon.is_inside_near(v, barycentre(polygon.points(), facet))) {
           included.insert(facet);
         }
       }
@@ -148,12 +148,6 @@ std::optional<Vertex> apex_in_cavity(const PointSet& points, const Cavity& cavit
   return first_clear_apex(points, cavity.axes, facet, cavity.candidates, is_clear).apex;
 }
 
-Simplex oriented(const PointSet& points, const std::vector<std::size_t>& axes, Simplex simplex) {
-  const bool is_negative = orientation(points.configuration(), axes, simplex) < 0;
-  if (is_negative) std::swap(simplex[0], simplex[1]);
-  return simplex;
-}
-
 }  // namespace
 
 Cavity cavity_of(const PointSet& points, const std::vector<std::size_t>& axes,
@@ -161,7 +155,8 @@ Cavity cavity_of(const PointSet& points, const std::vector<std::size_t>& axes,
   Cavity cavity;
   cavity.axes = axes;
   std::vector<Simplex> positive;
-  for (const Simplex& simplex : deleted) positive.push_back(oriented(points, axes, simplex));
+  for (const Simplex& simplex : deleted)
+    positive.push_back(positively_oriented(points, axes, simplex));
   for (const auto uses : ByFacet(facet_uses(positive))) {
     if (uses.size() == 2 && !walls.contains(uses.front().facet)) continue;
     for (const FacetUse& use : uses) {

@@ -64,7 +64,7 @@ std::vector<Simplex> subfacets(const PointSet& points, const Polygon& polygon,
   const Triangulation canonical = delaunay::bowyer_watson(own, options);
   std::vector<Simplex> inside;
   for (Simplex triangle : canonical.simplices()) {
-    if (!is_in_polygon(points, polygon, barycentre(coordinates(own, triangle)))) continue;
+    if (!is_in_polygon(points, polygon, barycentre(own, triangle))) continue;
     for (Vertex& v : triangle) v = vertices[static_cast<std::size_t>(v)];
     inside.push_back(sorted(triangle));
   }
@@ -226,7 +226,7 @@ class Refinement {
       }
     }
     if (!in_the_way.empty() || is_in_polygon(points_, polygon, candidate.point)) return in_the_way;
-    const Point middle = barycentre(coordinates(points_, subfacet));
+    const Point middle = barycentre(points_, subfacet);
     const auto between =
         std::find_if(subsegments.begin(), subsegments.end(), [&](const Simplex& subsegment) {
           return do_meet(polygon.axes, middle, candidate.point, points_[subsegment[0]],

@@ -56,7 +56,7 @@ class SpatialWrapping {
     for (const Simplex& wall : walls_) {
       const OrientedFacet facet = OrientedFacet::of(wall);
       for (const OrientedFacet& side : {facet, facet.reverse()}) {
-        if (regions_.where(regions_.in_front_of(side)) == Where::kInside) seeds.add(side);
+        if (regions_.faces_inside(side)) seeds.add(side);
       }
     }
     if (walls_.empty() && complex_.kind == DomainKind::kHull && points_.dimension() == 3) {
@@ -68,7 +68,7 @@ class SpatialWrapping {
   }
 
   bool is_inside(const Simplex& simplex) const {
-    return regions_.locate(barycentre(coordinates(points_, simplex))) == Where::kInside;
+    return regions_.locate(barycentre(points_, simplex)) == Where::kInside;
   }
 
   // Finishes facets until none is left, and collects the tetrahedra.
@@ -142,7 +142,7 @@ class SpatialWrapping {
 
   // A sample point, inside the first tetrahedron: is it in the domain, and in no other?
   bool is_covered_once() const {
-    const Point sample = barycentre(coordinates(points_, tetrahedra_.front()));
+    const Point sample = barycentre(points_, tetrahedra_.front());
     if (regions_.locate(sample) != Where::kInside) return false;
     const auto holds_sample = [&](const Simplex& tetrahedron) {
       return holds(points_, tetrahedron, sample);

@@ -8,6 +8,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/star_index.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
@@ -53,8 +54,7 @@ std::vector<Simplex> hull_edges(const PointSet& points, const std::vector<std::s
     }
     std::reverse(vertices.begin(), vertices.end());
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  keep_each_once(edges);
   return edges;
 }
 
@@ -63,8 +63,7 @@ Polygon planar_domain(const PointSet& points, const std::vector<std::size_t>& ax
                       const std::vector<Point>& hole_seeds, DomainKind kind) {
   if (kind == DomainKind::kHull) {
     for (const Simplex& edge : hull_edges(points, axes, vertices)) segments.push_back(edge);
-    std::sort(segments.begin(), segments.end());
-    segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+    keep_each_once(segments);
   }
   const bool has_holes = kind == DomainKind::kEnclosed;
   Polygon polygon{vertices, segments, has_holes ? hole_seeds : std::vector<Point>{}, axes, {}};

@@ -18,6 +18,11 @@ struct PlcTriangulation {
   // isolated vertices.
   std::vector<Simplex> dangling;
 
+  std::vector<Simplex> simplices_and_dangling() const {
+    std::vector<Simplex> all = simplices;
+    all.insert(all.end(), dangling.begin(), dangling.end());
+    return all;
+  }
   bool operator==(const PlcTriangulation&) const = default;
 };
 

@@ -21,9 +21,7 @@ class LexicographicTriangulation {
     if (simplices_.empty()) simplices_.push_back({});
     hull_ = {};
     for (Simplex& simplex : simplices_) {
-      simplex.push_back(v);
-      const int side = orientation(points_.configuration(), axes_, simplex);
-      if (side < 0) std::swap(simplex[0], simplex[1]);
+      simplex = positively_oriented(points_, axes_, with_apex(simplex, v));
       hull_.adjoin(simplex);
     }
   }

@@ -17,12 +17,6 @@ namespace {
 
 using Axes = std::vector<std::size_t>;
 
-Simplex oriented(const PointSet& points, const Axes& axes, Simplex simplex) {
-  const bool negative = orientation(points.configuration(), axes, simplex) < 0;
-  if (negative) std::swap(simplex[0], simplex[1]);
-  return simplex;
-}
-
 // The part of the triangulation that deleting v removes.
 struct Star {
   std::vector<Simplex> simplices;  // positively oriented
@@ -36,7 +30,7 @@ Star star_of(const PointSet& points, const Axes& axes, const std::vector<Simplex
   std::set<Vertex> link_vertices;
   for (const Simplex& simplex : simplices) {
     if (!contains(simplex, v)) continue;
-    star.simplices.push_back(oriented(points, axes, simplex));
+    star.simplices.push_back(positively_oriented(points, axes, simplex));
     const Simplex& last = star.simplices.back();
     const auto place =
         static_cast<std::size_t>(std::find(last.begin(), last.end(), v) - last.begin());

@@ -125,7 +125,7 @@ class Matching {
   // The wall in which a facet lies, if any. A facet of a tetrahedron that respects the complex lies
   // in a polygon as soon as its barycentre does.
   std::optional<Simplex> wall_of(const Simplex& facet) const {
-    const Point centre = barycentre(coordinates(complex_.points, facet));
+    const Point centre = barycentre(complex_.points, facet);
     for (const Simplex& wall : walls_) {
       if (std::any_of(facet.begin(), facet.end(), [&](Vertex v) { return side(wall, v) != 0; })) {
         continue;
@@ -152,7 +152,7 @@ class Matching {
     const std::optional<Simplex> wall = wall_of(facet.vertices);
     if (!wall) return true;
     const OrientedFacet beyond{*wall, same_side(facet, *wall) > 0};
-    return regions_.where(regions_.in_front_of(beyond)) == Where::kInside;
+    return regions_.faces_inside(beyond);
   }
 
   void match(const OrientedFacet& facet, const std::vector<Literal>& users) {

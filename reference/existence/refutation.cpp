@@ -12,6 +12,7 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/exact/each_once.hpp"
 #include "reference/existence/formula.hpp"
 
 namespace circumspect::existence {
@@ -31,8 +32,7 @@ class UnitPropagation {
 
   // The clause must not be used after `remove`.
   void add(Clause clause) {
-    std::sort(clause.begin(), clause.end());
-    clause.erase(std::unique(clause.begin(), clause.end()), clause.end());
+    keep_each_once(clause);
     for (const Literal literal : clause) cover(literal);
     const std::size_t number = clauses_.size();
     numbers_[clause].push_back(number);

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
@@ -159,8 +160,7 @@ class Holes {
         pairs_.push_back(simplex);
       }
     }
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    keep_each_once(pairs_);
   }
 
   bool has_bare_facets(const Corners& simplex) const {

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/exact/triple.hpp"
 
@@ -123,8 +124,7 @@ class Chain {
         }
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    keep_each_once(found);
     return found;
   }
   const Place& place(Vertex v) const { return places_[of_[static_cast<std::size_t>(v)]]; }

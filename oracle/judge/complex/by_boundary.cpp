@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernel/complex/by_facet.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -15,11 +16,6 @@ namespace circumspect::check {
 namespace {
 
 using Places = std::vector<std::size_t>;
-
-void make_set(Places& places) {
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-}
 
 // Some simplices of full dimension, and the first of the conditions that is broken.
 class Conditions {
@@ -33,7 +29,7 @@ class Conditions {
     Places found = not_matched();
     if (found.empty()) found = with_improper_facets();
     if (found.empty()) found = beside_outside();
-    make_set(found);
+    keep_each_once(found);
     return found;
   }
 
@@ -110,7 +106,7 @@ std::vector<std::size_t> improper_facets(const Configuration& points,
       found.push_back(j);
     }
   }
-  make_set(found);
+  keep_each_once(found);
   return found;
 }
 
@@ -158,7 +154,7 @@ std::vector<std::size_t> left_out_of_complex(const Configuration& points,
     const Places at_fault = Conditions(points, positions, asked).at_fault();
     if (at_fault.empty()) return left_out;
     for (const std::size_t place : at_fault) left_out.push_back(rest[place]);
-    make_set(left_out);
+    keep_each_once(left_out);
     rest.clear();
     std::set_difference(all.begin(), all.end(), left_out.begin(), left_out.end(),
                         std::back_inserter(rest));

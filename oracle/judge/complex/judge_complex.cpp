@@ -15,10 +15,6 @@ namespace {
 
 using definition::ListedComplex;
 
-NamedValue named(const char* name, std::size_t value) {
-  return {name, Rational(to_integer(value))};
-}
-
 // Turns what was found into a verdict, whoever found it.
 class Said {
  public:
@@ -143,7 +139,7 @@ class Said {
     for (const Vertex v : found_.not_manifold.vertices) add_face(Rule::kNotManifold, {v});
     if (!demands.connected || found_.parts < 2) return;
     Witness witness = of_places(in_two_parts());
-    witness.values = {named("parts", found_.parts)};
+    witness.values = {{"parts", found_.parts}};
     verdict_.add(Rule::kNotConnected, witness);
   }
 
@@ -173,7 +169,7 @@ class Said {
       verdict_.add(Rule::kUnknownVertex, witness);
       return;
     }
-    witness.values = {named("vertices", simplex.size()), named("vertices expected", size)};
+    witness.values = {{"vertices", simplex.size()}, {"vertices expected", size}};
     verdict_.add(Rule::kWrongDimension, witness);
   }
 

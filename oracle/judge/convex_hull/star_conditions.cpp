@@ -20,7 +20,7 @@ std::vector<Point> with_inside(const PointSet& points, const std::vector<Simplex
   std::vector<Point> basis;
   for (const std::size_t v : points.configuration().hull().basis) basis.push_back(all[v]);
   all.push_back(barycentre(basis));
-  all.push_back(barycentre(coordinates(points, facets.front())));
+  all.push_back(barycentre(points, facets.front()));
   return all;
 }
 

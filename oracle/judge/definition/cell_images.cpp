@@ -39,14 +39,6 @@ Simplex counterclockwise(const Point& normal, const PointSet& points, Simplex t)
   return t;
 }
 
-// The projection along the normal on a plane, which is the same for all points.
-Points projected(const Point& normal, Points points) {
-  for (Point& p : points) {
-    p = p - inner_product(normal, p) / squared_length(normal) * normal;
-  }
-  return points;
-}
-
 // The triangles at the edge ab are half planes about it, each named by its polygon and by whether
 // its triangle has the edge in this direction. Their cyclic order: all triples x, y, z that follow
 // each other counterclockwise, so that of the angles from each to the next at least two are less
@@ -81,12 +73,7 @@ std::set<std::array<HalfPlane, 3>> cyclic_order(const PointSet& points,
 
 class Imaging {
  public:
-  Imaging(const MovedDomain& moved, const Carriers& carriers)
-      : moved_(moved),
-        complex_(moved.complex),
-        points_(moved.mesh.points),
-        carriers_(carriers),
-        cells_(linear_cells(complex_)) {
+  Imaging(const MovedDomain& moved, const Carriers& carriers) : moved_(moved), carriers_(carriers) {
     for (const Polygon& polygon : complex_.polygons) {
       const Points t = coordinates(complex_.points, polygon.triangles.front());
       const Point normal = cross_product(t[1] - t[0], t[2] - t[0]);
@@ -129,13 +116,6 @@ class Imaging {
   Vertex image(Vertex v) const {
     return images_.at({0, static_cast<std::size_t>(v)}).front().front();
   }
-  static bool has(const std::vector<Simplex>& list, const Simplex& simplex) {
-    return std::count(list.begin(), list.end(), simplex) > 0;
-  }
-  static bool is_face_of_one(const Simplex& face, const std::vector<Simplex>& simplices) {
-    return std::any_of(simplices.begin(), simplices.end(),
-                       [&](const Simplex& simplex) { return has_face(simplex, face); });
-  }
 
   // 2. Each vertex v of P is the carrier of exactly one vertex φ(v) of M.
   std::optional<Image> vertex_of(LinearCell v) const {
@@ -160,7 +140,8 @@ class Imaging {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
       links.push_back({path[i], path[i + 1]});
       if (!before(path[i], path[i + 1])) return std::nullopt;
-      if (!is_face_of_one(links.back(), moved_.mesh.simplices_and_faces())) return std::nullopt;
+      if (count_with_face(moved_.mesh.simplices_and_faces(), links.back()) == 0)
+        return std::nullopt;
     }
     return links;
   }
@@ -174,14 +155,12 @@ class Imaging {
     for (const Simplex& triangle : triangles_near(moved_, carriers_, f.place)) {
       const Simplex t = counterclockwise(normal, points_, triangle);
       if (sign(area(normal, coordinates(points_, t))) != 0) near.push_back(t);
-      if (has(moved_.triangles_meant[f.place], triangle)) meant.push_back(t);
+      if (count_with_face(moved_.triangles_meant[f.place], triangle) > 0) meant.push_back(t);
     }
     if (!meant.empty() && is_image(f, meant)) return meant;
-    const auto is_inside = [&](const OrientedFacet& side) {
-      return moved_.regions.where(moved_.regions.in_front_of(side)) == Where::kInside;
-    };
     const OrientedFacet below = OrientedFacet::of(own_[f.place].front());
-    const bool is_highest = is_inside(below) && !is_inside(below.reverse());
+    const bool is_highest =
+        moved_.regions.faces_inside(below) && !moved_.regions.faces_inside(below.reverse());
     std::optional<Rational> best;
     std::optional<Image> chosen;
     for (std::size_t bits = 0; bits < (std::size_t{1} << near.size()); ++bits) {
@@ -214,7 +193,7 @@ class Imaging {
       const auto term = own_boundary.find(vertices_of(complex_, segment));
       for (const Simplex& link : images_.at(segment)) {
         if (term != own_boundary.end()) add_to(expected, link[0], link[1], term->second);
-        if (!is_face_of_one(link, patch)) return false;
+        if (count_with_face(patch, link) == 0) return false;
       }
     }
     if (boundary_of(patch) != expected) return false;
@@ -222,13 +201,15 @@ class Imaging {
     std::vector<Vertex> needed = carried_by(f);
     for (const Vertex v : vertices_of(complex_, f)) needed.push_back(image(v));
     for (const Vertex v : needed) {
-      if (!is_face_of_one({v}, patch)) return false;
+      if (count_with_face(patch, {v}) == 0) return false;
     }
     // In the projection on the plane of f none is flat, and no two have interior points in common.
+    const Point& normal = normals_[f.place];
     std::vector<Points> projections;
     for (const Simplex& t : patch) {
-      projections.push_back(projected(normals_[f.place], coordinates(points_, t)));
-      if (sign(area(normals_[f.place], projections.back())) == 0) return false;
+      Points& corners = projections.emplace_back(coordinates(points_, t));
+      for (Point& p : corners) p = p - inner_product(normal, p) / squared_length(normal) * normal;
+      if (sign(area(normal, corners)) == 0) return false;
     }
     for (const Points& a : projections) {
       for (const Points& b : projections) {
@@ -243,14 +224,12 @@ class Imaging {
   // the segment.
   bool have_incidences_of_cells() const {
     std::map<LinearCell, std::set<Simplex>> parts;
-    for (const auto& [cell, image] : images_) {
-      for (const Simplex& simplex : image) {
-        for (const Simplex& face : faces(sorted(simplex))) parts[cell].insert(face);
-      }
-    }
     std::vector<Image> patches;
     for (const auto& [cell, image] : images_) {
       if (cell.dimension == 2) patches.push_back(image);
+      for (const Simplex& simplex : image) {
+        for (const Simplex& face : faces(sorted(simplex))) parts[cell].insert(face);
+      }
     }
     for (const LinearCell a : cells_) {
       for (const LinearCell b : cells_) {
@@ -272,10 +251,10 @@ class Imaging {
   }
 
   const MovedDomain& moved_;
-  const PiecewiseLinearComplex& complex_;
-  const PointSet& points_;
   const Carriers& carriers_;
-  const std::vector<LinearCell> cells_;
+  const PiecewiseLinearComplex& complex_ = moved_.complex;
+  const PointSet& points_ = moved_.mesh.points;
+  const std::vector<LinearCell> cells_ = linear_cells(complex_);
   std::vector<Point> normals_;  // of each polygon
   std::vector<Image> own_;      // its triangles, counterclockwise
   CellImages images_;

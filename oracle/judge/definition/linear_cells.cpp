@@ -52,10 +52,8 @@ class LinearCells {
     for (const Simplex& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
     if (affine_hull(at(corners)).dimension != 2) return false;
     for (const Simplex& edge : faces_of(triangles, 2)) {
-      const auto of_edge =
-          std::count_if(triangles.begin(), triangles.end(),
-                        [&](const Simplex& triangle) { return has_face(triangle, edge); });
-      if (of_edge == 1 && !segments_cover(points_[edge[0]], points_[edge[1]])) return false;
+      if (count_with_face(triangles, edge) > 1) continue;
+      if (!segments_cover(points_[edge[0]], points_[edge[1]])) return false;
     }
     return true;
   }

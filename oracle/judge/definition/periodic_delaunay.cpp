@@ -217,7 +217,7 @@ std::vector<NamedValue> shift_in_words(const Simplex& multiples) {
   for (std::size_t i = 0; i < multiples.size(); ++i) {
     values.push_back(
         {"the second is moved along lattice vector " + std::to_string(i + 1) + " this many times",
-         Rational(to_integer(multiples[i]))});
+         multiples[i]});
   }
   return values;
 }

@@ -10,6 +10,7 @@
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/definition/distance.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/triangulation.hpp"
 
@@ -36,13 +37,7 @@ class Judging {
  public:
   Judging(const ExactMesh& mesh, const PiecewiseLinearComplex& complex, bool may_have_more,
           Verdict& verdict)
-      : mesh_(mesh),
-        complex_(complex),
-        may_have_more_(may_have_more),
-        verdict_(verdict),
-        listed_(mesh.simplices_and_faces()) {
-    for (std::size_t axis = 0; axis < complex.ambient_dimension(); ++axis) axes_.push_back(axis);
-  }
+      : mesh_(mesh), complex_(complex), may_have_more_(may_have_more), verdict_(verdict) {}
 
   std::optional<PiecewiseLinearComplex> run() {
     if (complex_.points.empty()) {
@@ -93,10 +88,7 @@ class Judging {
       }
       extra.add(v, verdict_.max_violations());
       if (!may_have_more_) verdict_.add(Rule::kSteinerForbidden, {.vertices = {v}});
-      const int dimension = dimension_of_cell_with(v);
-      ++(dimension == 1   ? count.on_segments
-         : dimension == 2 ? count.in_polygons
-                          : count.in_polyhedra);
+      count.add(dimension_of_cell_with(v));
     }
     verdict_.extra_vertices = extra;
     if (complete) verdict_.steiner_points = count;
@@ -105,10 +97,9 @@ class Judging {
 
   bool is_complex() {
     std::vector<Simplex> all = mesh_.simplices;
-    for (const std::size_t size : {2, 3}) {
-      const std::vector<Simplex> faces = faces_of(of_size(mesh_.faces, size), size);
-      all.insert(all.end(), faces.begin(), faces.end());
-    }
+    std::set<Simplex> beside;  // a face that is listed twice does not overlap itself
+    for (const Simplex& face : mesh_.faces) beside.insert(sorted(face));
+    all.insert(all.end(), beside.begin(), beside.end());
     for (const Vertex v : in_mesh_) {
       if (!is_used(v)) all.push_back({v});
     }
@@ -149,7 +140,7 @@ class Judging {
     const Regions regions(complex_);
     const bool is_hull = complex_.kind == DomainKind::kHull;
     for (const Simplex& simplex : mesh_.simplices) {
-      std::vector<Point> samples = {barycentre(coordinates(mesh_.points, simplex))};
+      std::vector<Point> samples = {barycentre(mesh_.points, simplex)};
       for (const Vertex v : simplex) {
         if (is_hull) samples.push_back(mesh_.points[v]);
       }
@@ -184,13 +175,10 @@ class Judging {
     }
     std::set<Simplex> dangling;  // listed faces of nothing larger
     for (const Simplex& face : mesh_.faces) {
-      const auto has_it = [&](const Simplex& simplex) { return has_face(simplex, face); };
       const auto is_larger = [&](const Simplex& simplex) {
         return simplex.size() > face.size() && has_face(simplex, face);
       };
-      if (std::none_of(filling.begin(), filling.end(), has_it)) {
-        verdict_.add(Rule::kOutside, {.simplices = {face}});
-      }
+      if (count_with_face(filling, face) == 0) verdict_.add(Rule::kOutside, {.simplices = {face}});
       if (std::none_of(listed_.begin(), listed_.end(), is_larger)) dangling.insert(sorted(face));
     }
     verdict_.dangling = dangling.size();
@@ -202,14 +190,10 @@ class Judging {
     Rational sum = 0;
     for (const Simplex& wall : walls(complex_)) {
       const OrientedFacet facet{sorted(wall), false};
-      Simplex cone = facet.vertices;
-      cone.push_back(0);
-      const Rational volume = orientation_determinant(complex_.points.configuration(), axes_, cone);
-      const auto is_inside = [&](const OrientedFacet& side) {
-        return regions.where(regions.in_front_of(side)) == Where::kInside;
-      };
-      if (is_inside(facet)) sum += volume;
-      if (is_inside(facet.reverse())) sum -= volume;
+      const Rational volume = orientation_determinant(complex_.points.configuration(), axes_,
+                                                      with_apex(facet.vertices, 0));
+      if (regions.faces_inside(facet)) sum += volume;
+      if (regions.faces_inside(facet.reverse())) sum -= volume;
     }
     return sum;
   }
@@ -229,14 +213,7 @@ class Judging {
     return result;
   }
 
-  static std::vector<Simplex> of_size(std::vector<Simplex> simplices, std::size_t size) {
-    std::erase_if(simplices, [&](const Simplex& simplex) { return simplex.size() != size; });
-    return simplices;
-  }
-  bool is_used(Vertex v) const {
-    return std::any_of(listed_.begin(), listed_.end(),
-                       [&](const Simplex& simplex) { return contains(simplex, v); });
-  }
+  bool is_used(Vertex v) const { return count_with_face(listed_, {v}) > 0; }
   // The dimension of the first cell of P that has a vertex of the mesh. Vertices are listed before
   // segments and these before polygons, so it lies in the relative interior of that cell.
   int dimension_of_cell_with(Vertex v) const {
@@ -267,9 +244,7 @@ class Judging {
     std::optional<NearestVertex> nearest;
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
       if (!is_used(v)) continue;
-      const Point& p = mesh_.points[v];
-      const Rational squared = cell.size() == 1 ? squared_distance(p, cell[0])
-                                                : squared_distance_to_segment(p, cell[0], cell[1]);
+      const Rational squared = squared_distance_between({mesh_.points[v]}, cell);
       if (squared == 0 || (nearest && squared >= nearest->squared_distance)) continue;
       nearest = {v, squared};
     }
@@ -280,8 +255,8 @@ class Judging {
   const PiecewiseLinearComplex& complex_;
   const bool may_have_more_;
   Verdict& verdict_;
-  Axes axes_;
-  std::vector<Simplex> listed_;  // the simplices and the faces beside
+  const Axes axes_ = {kSpace.begin(), kSpace.begin() + complex_.ambient_dimension()};
+  const std::vector<Simplex> listed_ = mesh_.simplices_and_faces();
   std::vector<Vertex> in_mesh_;  // the point of the mesh that each vertex of P is, or −1
   // The edges and triangles in each segment and polygon of P.
   std::map<LinearCell, std::vector<Simplex>> parts_;

@@ -10,30 +10,23 @@
 namespace circumspect::definition {
 namespace {
 
-NamedValue named(const char* name, std::size_t value) {
-  return {name, Rational(to_integer(value))};
-}
-
 // The first rule that a simplex breaks by itself.
 std::optional<Violation> fault_of(const PointSet& points, const Simplex& simplex, bool has_size) {
-  Witness witness{.simplices = {simplex}};
+  const auto breaks = [&](Rule rule, Simplex vertices) {
+    return Violation{rule, {.simplices = {simplex}, .vertices = std::move(vertices)}};
+  };
   for (const Vertex v : simplex) {
-    if (points.names(v)) continue;
-    witness.vertices = {v};
-    return Violation{Rule::kUnknownVertex, witness};
+    if (!points.names(v)) return breaks(Rule::kUnknownVertex, {v});
   }
   if (!has_size) {
-    witness.values = {named("vertices", simplex.size())};
-    return Violation{Rule::kWrongDimension, witness};
+    return Violation{Rule::kWrongDimension,
+                     {.simplices = {simplex}, .values = {{"vertices", simplex.size()}}}};
   }
   const Simplex ascending = sorted(simplex);
   const auto repeated = std::adjacent_find(ascending.begin(), ascending.end());
-  if (repeated != ascending.end()) {
-    witness.vertices = {*repeated};
-    return Violation{Rule::kRepeatedVertex, witness};
-  }
+  if (repeated != ascending.end()) return breaks(Rule::kRepeatedVertex, {*repeated});
   if (axes_of(points.configuration(), simplex).size() + 1 < simplex.size()) {
-    return Violation{Rule::kDegenerateSimplex, witness};
+    return breaks(Rule::kDegenerateSimplex, {});
   }
   return std::nullopt;
 }
@@ -50,10 +43,9 @@ bool judge_each_simplex(const ExactMesh& mesh, std::size_t size, Verdict& verdic
     if (!fault) continue;
     sound = false;
     fault->witness.places = {s};
-    if (!has_size) fault->witness.values.push_back(named("vertices expected", size));
-    if (fault->rule == Rule::kDegenerateSimplex) {
-      fault->witness.values = {{"orientation determinant", 0}};
-    }
+    std::vector<NamedValue>& values = fault->witness.values;
+    if (fault->rule == Rule::kWrongDimension) values.emplace_back("vertices expected", size);
+    if (fault->rule == Rule::kDegenerateSimplex) values = {{"orientation determinant", 0}};
     verdict.add(fault->rule, fault->witness);
   }
   for (std::size_t a = 0; a < simplices.size(); ++a) {

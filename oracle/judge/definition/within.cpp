@@ -24,27 +24,27 @@ class Reaches {
     }
   }
 
-  LeastReach least(const Rational& squared_limit) {
+  tl::expected<LeastReach, std::optional<Violation>> least(const Rational& squared_limit) {
     std::set<Rational> candidates = {0, squared_limit};
     for (const auto& of_vertex : distances_) {
       for (const auto& [cell, squared] : of_vertex) candidates.insert(squared);
     }
-    LeastReach answer{.squared_reach = squared_limit};
+    std::optional<Violation> breach;
+    bool was_ambiguous = false;
     for (const Rational& squared : candidates) {
       if (squared > squared_limit) break;
       if (takes_cells_for_each_other(squared)) {  // as at all larger reaches
-        answer.kind = LeastReach::Kind::kAmbiguous;
+        was_ambiguous = true;
         break;
       }
       bool is_ambiguous = false;
       Carriers carriers = carriers_at(squared, is_ambiguous);
       auto images = cell_images(moved_, carriers);
-      if (!images) answer.breach = images.error();
-      if (images && is_ambiguous) answer.kind = LeastReach::Kind::kAmbiguous;
-      if (!images || is_ambiguous) continue;
-      return {LeastReach::Kind::kFound, squared, std::move(*images), std::move(carriers), {}};
+      if (images && !is_ambiguous) return LeastReach{squared, *images, carriers};
+      was_ambiguous |= images.has_value();
+      if (!images) breach = images.error();
     }
-    return answer;
+    return tl::unexpected(was_ambiguous ? std::nullopt : breach);
   }
 
   // 1. The cell of lowest dimension within reach of each vertex of M. If there are two of that
@@ -109,7 +109,8 @@ class Reaches {
 
 }  // namespace
 
-LeastReach least_reach(const MovedDomain& moved, const Rational& squared_limit) {
+tl::expected<LeastReach, std::optional<Violation>> least_reach(const MovedDomain& moved,
+                                                               const Rational& squared_limit) {
   return Reaches(moved).least(squared_limit);
 }
 

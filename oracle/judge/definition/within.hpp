@@ -4,26 +4,25 @@
 
 #include <optional>
 
+#include <tl/expected.hpp>
+
 #include "oracle/judge/definition/cell_images.hpp"
 
 namespace circumspect::definition {
 
 struct LeastReach {
-  // kNone: no reach up to the limit will do, and `breach` is what is wrong at the largest.
-  // kAmbiguous: nor will one, but there were ambiguous reaches, which were passed over.
-  enum class Kind { kFound, kNone, kAmbiguous };
-  Kind kind = Kind::kNone;
-  Rational squared_reach = 0;
-  CellImages images = {};
-  Carriers carriers = {};
-  std::optional<Violation> breach = {};
+  Rational squared_reach;
+  CellImages images;
+  Carriers carriers;
 };
 
-// The least reach up to a limit that is not ambiguous and at which all cells have images. Carriers,
-// and with them images, change only at distances between a vertex and a cell, so these are all
-// tried.
+// The least reach up to a limit that is not ambiguous and at which all cells have images; or what
+// is wrong at the largest; or neither, if there were ambiguous reaches, which were passed over.
+// Carriers, and with them images, change only at distances between a vertex and a cell, so these
+// are all tried.
 // Requires: as cell_images.
-LeastReach least_reach(const MovedDomain& moved, const Rational& squared_limit);
+tl::expected<LeastReach, std::optional<Violation>> least_reach(const MovedDomain& moved,
+                                                               const Rational& squared_limit);
 
 // The greatest number of triangles near one polygon at that reach: all sets of them are tried.
 std::size_t most_triangles_near(const MovedDomain& moved, const Rational& squared_reach);

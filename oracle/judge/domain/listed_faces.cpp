@@ -8,6 +8,7 @@
 
 #include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/predicates/orientation.hpp"
 
@@ -32,9 +33,8 @@ bool judge_face(const ExactMesh& mesh, const Simplex& face, std::size_t ambient_
     return false;
   }
   if (face.size() < 2 || face.size() > ambient_dimension) {
-    verdict.add(
-        Rule::kWrongDimension,
-        {.simplices = {face}, .values = {{"vertices", Rational(static_cast<long>(face.size()))}}});
+    verdict.add(Rule::kWrongDimension,
+                {.simplices = {face}, .values = {{"vertices", face.size()}}});
     return false;
   }
   if (has_repeated_vertex(face)) {
@@ -108,7 +108,7 @@ class Obstacles {
     for (const WallPiece& piece : pieces_) {
       if (auto found = meeting(face, box, piece.facet)) return *found;
     }
-    return {.simplices = {face}, .point = barycentre(coordinates(in_.mesh.points, face))};
+    return {.simplices = {face}, .point = barycentre(in_.mesh.points, face)};
   }
 
  private:
@@ -131,7 +131,7 @@ class Obstacles {
 
 void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles,
                Verdict& verdict) {
-  const Point middle = barycentre(coordinates(in.mesh.points, face));
+  const Point middle = barycentre(in.mesh.points, face);
   const Where where = in.regions.locate(middle);
   if (where == Where::kOutside || where == Where::kHole) {
     verdict.add(Rule::kOutside, {.simplices = {face}, .point = middle});
@@ -143,8 +143,7 @@ void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles
 }
 
 std::vector<Simplex> without_repetitions(std::vector<Simplex> simplices) {
-  std::sort(simplices.begin(), simplices.end());
-  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  keep_each_once(simplices);
   return simplices;
 }
 

@@ -42,7 +42,7 @@ class PointsInTurn {
 std::optional<Point> point_outside(const MeshedDomain& in, const FacetUse& use,
                                    PointsInTurn& points) {
   for (const Simplex& cell : {in.mesh.simplices[use.simplex], use.facet}) {
-    Point middle = barycentre(coordinates(in.mesh.points, cell));
+    Point middle = barycentre(in.mesh.points, cell);
     if (points.is_out(middle)) return middle;
   }
   return std::nullopt;

@@ -25,7 +25,7 @@ void OutsideSimplices::add_those_beside(const std::vector<WallPiece>& pieces, Ve
   }
   for (const std::size_t simplex : others) {
     const Simplex& corners = in_.mesh.simplices[simplex];
-    add(simplex, {.point = barycentre(coordinates(in_.mesh.points, corners))}, verdict);
+    add(simplex, {.point = barycentre(in_.mesh.points, corners)}, verdict);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/improper_intersection.hpp"
 #include "kernel/complex/point_set.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
@@ -34,8 +35,7 @@ std::vector<std::vector<Simplex>> triangles_at_polygons(const MeshedDomain& in) 
     if (face.size() == 3) file(sorted(face));
   }
   for (std::vector<Simplex>& triangles : candidates) {
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    keep_each_once(triangles);
   }
   return candidates;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
@@ -55,8 +56,7 @@ std::vector<std::array<std::int32_t, 2>> edges_of(const std::vector<Corners>& tr
       edges.push_back(edge);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  keep_each_once(edges);
   return edges;
 }
 

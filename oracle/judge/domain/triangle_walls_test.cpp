@@ -334,7 +334,7 @@ PiecewiseLinearInput drawn_domain(std::mt19937& random, const ExactMesh& whole,
   }
   if (seldom()) {
     const Simplex& simplex = whole.simplices[random() % whole.simplices.size()];
-    input.hole_seeds.push_back(barycentre(coordinates(whole.points, simplex)));
+    input.hole_seeds.push_back(barycentre(whole.points, simplex));
   }
   if (seldom()) input.kind = DomainKind::kHull;
   return input;

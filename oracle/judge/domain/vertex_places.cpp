@@ -134,13 +134,7 @@ SteinerPoints count_steiner_points(const VertexPlaces& places) {
   SteinerPoints count;
   for (std::size_t v = 0; v < places.in_domain.size(); ++v) {
     if (!places.is_steiner(static_cast<Vertex>(v))) continue;
-    if (places.segment[v] != kNowhere) {
-      ++count.on_segments;
-    } else if (places.polygon[v] != kNowhere) {
-      ++count.in_polygons;
-    } else {
-      ++count.in_polyhedra;
-    }
+    count.add(places.segment[v] != kNowhere ? 1 : places.polygon[v] != kNowhere ? 2 : 3);
   }
   return count;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
+
 namespace circumspect::check {
 
 namespace {
@@ -81,8 +83,7 @@ std::optional<NearestVertex> VertexSearch::best_of(const Target& target,
     const std::vector<std::size_t> more = index_->meeting(box);
     places.insert(places.end(), more.begin(), more.end());
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  keep_each_once(places);
   std::optional<NearestVertex> best;
   for (const std::size_t place : places) {
     if (++looked_at_ > kMostLookedAt) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/conditions/conditions.hpp"
 #include "oracle/judge/fast/boundary_faults.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
@@ -222,8 +223,7 @@ class FaultFinder {
   }
 
   static std::vector<std::size_t> distinct(std::vector<std::size_t> list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    keep_each_once(list);
     return list;
   }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/fast/box_tree.hpp"
 #include "oracle/judge/fast/predicates/lattice.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
@@ -263,8 +264,7 @@ std::optional<std::vector<std::size_t>> improper_triangles(std::span<const doubl
     return true;
   });
   if (!are_all) return std::nullopt;
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_each_once(found);
   return found;
 }
 

@@ -278,11 +278,7 @@ Difference difference(const ExactMesh& a, const ExactMesh& b) {
   Difference result;
   const auto in_b = matched(a.points, places(b.points), result.points_only_in_a);
   matched(b.points, places(a.points), result.points_only_in_b);
-  CellDifference cells = difference_of_cells(cells_of(a), cells_of(b), in_b, b.points.size());
-  result.simplices_only_in_a = std::move(cells.only_in_a);
-  result.simplices_only_in_b = std::move(cells.only_in_b);
-  result.b_has_too = std::move(cells.b_has_too);
-  result.a_has_too = std::move(cells.a_has_too);
+  result.add(difference_of_cells(cells_of(a), cells_of(b), in_b, b.points.size()));
   return result;
 }
 

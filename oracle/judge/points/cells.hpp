@@ -77,6 +77,12 @@ struct Difference {
   std::vector<bool> b_has_too = {};
   std::vector<bool> a_has_too = {};
 
+  void add(CellDifference cells) {
+    simplices_only_in_a = std::move(cells.only_in_a);
+    simplices_only_in_b = std::move(cells.only_in_b);
+    b_has_too = std::move(cells.b_has_too);
+    a_has_too = std::move(cells.a_has_too);
+  }
   bool empty() const {
     return points_only_in_a.empty() && points_only_in_b.empty() && simplices_only_in_a.empty() &&
            simplices_only_in_b.empty();

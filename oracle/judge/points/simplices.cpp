@@ -25,8 +25,7 @@ std::optional<Violation> fault_of_simplex(const ExactMesh& mesh, std::size_t pla
   }
   // Nothing is a simplex of the empty set, not even one without vertices.
   if (simplex.empty() || static_cast<int>(simplex.size()) != points.dimension() + 1) {
-    witness.values = {{"vertices", Rational(static_cast<long>(simplex.size()))},
-                      {"vertices expected", Rational(points.dimension() + 1)}};
+    witness.values = {{"vertices", simplex.size()}, {"vertices expected", points.dimension() + 1}};
     return Violation{Rule::kWrongDimension, std::move(witness)};
   }
   const auto twice = std::adjacent_find(ascending.begin(), ascending.end());

@@ -16,10 +16,21 @@
 
 namespace circumspect::check {
 
+namespace {
+
+Vertex apex_of(const ExactMesh& mesh, const FacetUse& use) {
+  return mesh.simplices[use.simplex][use.opposite];
+}
+
+// The side of the facet on which the simplex is that uses it.
+int inner_side(const ExactMesh& mesh, const FacetUse& use) {
+  return side_of_facet(mesh.points.configuration(), use.facet, apex_of(mesh, use));
+}
+
+}  // namespace
+
 BoundaryFacet boundary_facet(const ExactMesh& mesh, const FacetUse& use) {
-  const Vertex apex = mesh.simplices[use.simplex][use.opposite];
-  const int inner = side_of_facet(mesh.points.configuration(), use.facet, apex);
-  return {use.facet, apex, use.simplex, inner};
+  return {use.facet, apex_of(mesh, use), use.simplex, inner_side(mesh, use)};
 }
 
 std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
@@ -53,19 +64,10 @@ Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b, bool is_sho
   return witness;
 }
 
-// Are the vertices of two simplices opposite a facet of both on the same side of it?
-bool are_on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& b) {
-  const auto side_of_apex = [&](const FacetUse& use) {
-    const Vertex apex = mesh.simplices[use.simplex][use.opposite];
-    return side_of_facet(mesh.points.configuration(), use.facet, apex);
-  };
-  return side_of_apex(a) == side_of_apex(b);
-}
-
 // What condition 1 finds wrong with a facet of these uses.
 std::optional<Violation> fault_at_facet(const ExactMesh& mesh, std::span<const FacetUse> uses,
                                         bool is_shown) {
-  const auto same_side = [&] { return are_on_same_side(mesh, uses[0], uses[1]); };
+  const auto same_side = [&] { return inner_side(mesh, uses[0]) == inner_side(mesh, uses[1]); };
   switch (conditions::at_facet(uses.size(), same_side)) {
     case conditions::AtFacet::kOverused: {
       Witness witness{.face = uses.front().facet};
@@ -178,7 +180,7 @@ bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& bound
 void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                         Verdict& verdict) {
   const Simplex& first = mesh.simplices.front();
-  const Point sample = barycentre(coordinates(mesh.points, first));
+  const Point sample = barycentre(mesh.points, first);
   std::vector<Point> with_sample = mesh.points.points();
   with_sample.push_back(sample);
   const Configuration points(with_sample);
@@ -235,10 +237,10 @@ void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, V
 
 void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
                         Vertex listed, Vertex expected, Verdict& verdict) {
-  Witness witness{.simplices = {mesh.simplices[use.simplex]},
-                  .face = use.facet,
-                  .values = {{"neighbour listed", Rational(to_integer(listed))},
-                             {"neighbour across the face", Rational(to_integer(expected))}}};
+  Witness witness{
+      .simplices = {mesh.simplices[use.simplex]},
+      .face = use.facet,
+      .values = {{"neighbour listed", listed}, {"neighbour across the face", expected}}};
   // Names the true neighbour by its vertices, so that the reader need not count simplices.
   if (across != nullptr) witness.simplices.push_back(*across);
   verdict.add(Rule::kWrongNeighbor, witness);

@@ -167,7 +167,7 @@ TEST_CASE("hull not convex: two pieces, each convex, apart and touching in a poi
 TEST_CASE("hull not convex: the sample point in the plane of a facet is not on its inner side") {
   const ExactMesh mesh{PointSet({{0, -1}, {3, -1}, {0, 2}, {4, 0}, {6, 0}, {5, 3}}),
                        {{0, 1, 2}, {3, 4, 5}}};
-  REQUIRE(barycentre(coordinates(mesh.points, {0, 1, 2})) == Point{1, 0});
+  REQUIRE(barycentre(mesh.points, {0, 1, 2}) == Point{1, 0});
   bool on_line = false;
   for (const Violation& violation : only(Rule::kHullNotConvex, mesh)) {
     check_beyond(mesh, violation.witness);
@@ -191,7 +191,7 @@ TEST_CASE("covered twice: a fan that winds twice, every edge of it locally Delau
   for (const Violation& violation : violations) {
     REQUIRE(violation.witness.simplices.size() == 2);
     REQUIRE(violation.witness.point.has_value());
-    CHECK(violation.witness.point == barycentre(coordinates(mesh.points, fan[0])));
+    CHECK(violation.witness.point == barycentre(mesh.points, fan[0]));
     for (const Simplex& simplex : violation.witness.simplices) {
       CHECK(covers(mesh, simplex, *violation.witness.point));
     }

@@ -192,8 +192,7 @@ class StructureJudge {
       if (!nearest || squared < *nearest) nearest = squared;
     }
     if (place.is_listed) {
-      witness.values.push_back({"index among the finite vertices, from 0",
-                                Rational(to_integer(static_cast<std::int64_t>(place.index)))});
+      witness.values.push_back({"index among the finite vertices, from 0", place.index});
     } else {
       witness.vertices = exact_.vertices.at(place.point);
     }
@@ -209,11 +208,9 @@ class StructureJudge {
   void add(Rule rule, const Pair& pair, const Ends& exact, const Ends& listed,
            std::optional<std::size_t> index = {}) {
     Witness witness{.vertices = {pair[0], pair[1]}};
-    const auto count = [](std::size_t n) { return Rational(to_integer(n)); };
-    if (index) witness.values.push_back({"index among the listed ridges, from 0", count(*index)});
-    witness.values.push_back({"different ends of the Voronoi ridge", count(exact.size())});
-    if (index)
-      witness.values.push_back({"different ends of the listed ridge", count(listed.size())});
+    if (index) witness.values.push_back({"index among the listed ridges, from 0", *index});
+    witness.values.push_back({"different ends of the Voronoi ridge", exact.size()});
+    if (index) witness.values.push_back({"different ends of the listed ridge", listed.size()});
     Ends of_one;
     std::set_symmetric_difference(exact.begin(), exact.end(), listed.begin(), listed.end(),
                                   std::inserter(of_one, of_one.end()));
@@ -237,10 +234,9 @@ bool name_vertices(const VoronoiDiagram& diagram, Verdict& verdict) {
     for (const Vertex v : diagram.ridges[r].corners) {
       if (v >= 0 && v < std::ssize(diagram.vertices)) continue;
       do_all = false;
-      verdict.add(
-          Rule::kVoronoiUnknownVertex,
-          {.vertices = {diagram.neighbors[r][0], diagram.neighbors[r][1]},
-           .values = {{"index among the finite vertices, from 0", Rational(to_integer(v))}}});
+      verdict.add(Rule::kVoronoiUnknownVertex,
+                  {.vertices = {diagram.neighbors[r][0], diagram.neighbors[r][1]},
+                   .values = {{"index among the finite vertices, from 0", v}}});
       break;
     }
   }

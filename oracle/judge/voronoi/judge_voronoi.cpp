@@ -53,8 +53,7 @@ class VoronoiJudge {
       if (v >= 0 && v < std::ssize(diagram_.vertices)) continue;
       verdict_.add(
           Rule::kVoronoiUnknownVertex,
-          {.vertices = {site},
-           .values = {{"index among the finite vertices, from 0", Rational(to_integer(v))}}});
+          {.vertices = {site}, .values = {{"index among the finite vertices, from 0", v}}});
       return false;
     }
     return true;

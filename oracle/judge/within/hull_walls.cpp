@@ -7,6 +7,7 @@
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
@@ -36,8 +37,7 @@ class Walls {
       }
     }
     std::vector<Simplex>& segments = result_.segments;
-    std::sort(segments.begin(), segments.end());
-    segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+    keep_each_once(segments);
     return std::move(result_);
   }
 

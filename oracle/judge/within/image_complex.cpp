@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/orientation.hpp"
@@ -231,17 +232,14 @@ class Building {
       }
       if (is_dangling(p)) ++built.not_flat_and_dangling;
     }
-    std::sort(complex.segments.begin(), complex.segments.end());
-    complex.segments.erase(std::unique(complex.segments.begin(), complex.segments.end()),
-                           complex.segments.end());
+    keep_each_once(complex.segments);
   }
 
   bool is_dangling(std::size_t p) const {
     const std::vector<Simplex>& own = images_.patches[p].own;
     return std::any_of(own.begin(), own.end(), [&](const Simplex& triangle) {
       const OrientedFacet facet = OrientedFacet::of(triangle);
-      return regions_.where(regions_.in_front_of(facet)) != Where::kInside &&
-             regions_.where(regions_.in_front_of(facet.reverse())) != Where::kInside;
+      return !regions_.faces_inside(facet) && !regions_.faces_inside(facet.reverse());
     });
   }
 
@@ -253,9 +251,7 @@ class Building {
       polygon.vertices.insert(polygon.vertices.end(), added.begin(), added.end());
     }
     std::sort(polygon.triangles.begin(), polygon.triangles.end());
-    std::sort(polygon.vertices.begin(), polygon.vertices.end());
-    polygon.vertices.erase(std::unique(polygon.vertices.begin(), polygon.vertices.end()),
-                           polygon.vertices.end());
+    keep_each_once(polygon.vertices);
     for (const std::size_t s : cells_.segments_of(p)) {
       const std::vector<Vertex>& path = images_.paths[s];
       for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -294,8 +290,7 @@ class Building {
       const OrientedFacet own = OrientedFacet::of(wall.own);
       for (const bool reversed : {false, true}) {
         const OrientedFacet side = reversed ? front.reverse() : front;
-        const bool inside =
-            regions_.where(regions_.in_front_of(reversed ? own.reverse() : own)) == Where::kInside;
+        const bool inside = regions_.faces_inside(reversed ? own.reverse() : own);
         std::optional<Label>& label = labels[regions.in_front_of(side)];
         if (!label) label = Label{inside, side};
         if (label->inside == inside) continue;

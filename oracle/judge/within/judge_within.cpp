@@ -167,9 +167,7 @@ void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
     const std::size_t place = static_cast<std::size_t>(v);
     const auto& cell = answer.carriers[place].cell;
     if (!used[place] || (cell && cell->dimension == 0)) continue;
-    if (!cell) ++count.in_polyhedra;
-    if (cell && cell->dimension == 1) ++count.on_segments;
-    if (cell && cell->dimension == 2) ++count.in_polygons;
+    count.add(cell ? cell->dimension : 3);
     extra.add(v, verdict.max_violations());
     if (forbids_steiner_points(verdict.claim())) {
       verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});

@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "kernel/exact/each_once.hpp"
+
 namespace circumspect::check {
-
-namespace {
-
-template <class T>
-void make_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-}  // namespace
 
 MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches, Work& work)
     : triangles_(cells.complex().polygons.size()) {
@@ -54,8 +46,8 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
   };
   for (const Simplex& simplex : mesh.simplices) file(simplex);
   for (const Simplex& face : mesh.faces) file(face);
-  make_unique(edges_);
-  for (std::vector<Simplex>& triangles : triangles_) make_unique(triangles);
+  keep_each_once(edges_);
+  for (std::vector<Simplex>& triangles : triangles_) keep_each_once(triangles);
 }
 
 bool MeshFaces::has_edge(Vertex a, Vertex b) const {

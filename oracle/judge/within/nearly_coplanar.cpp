@@ -6,6 +6,7 @@
 #include <set>
 
 #include "kernel/boxes/box_index.hpp"
+#include "kernel/exact/each_once.hpp"
 #include "kernel/piecewise_linear/cell_boxes.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/predicates/place.hpp"
@@ -21,12 +22,6 @@ constexpr long kTimesFarther = 8;
 constexpr long kTimesFarthest = 100;
 // The square of the tangent of 5 degrees, rounded up: no polygon is steeper upon the plane of all.
 const Rational kSquaredSteepest(77, 10'000);
-
-template <typename T>
-void keep_sorted(std::vector<T>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 struct Plane {
   Point origin;
@@ -243,8 +238,8 @@ class NearlyCoplanar {
     }
     std::erase_if(polygon.segments, [&](const Simplex& s) { return removed.contains(s); });
     // The triangles stay in this order: the first of them says which plane is that of the polygon.
-    keep_sorted(polygon.segments);
-    keep_sorted(polygon.vertices);
+    keep_each_once(polygon.segments);
+    keep_each_once(polygon.vertices);
     return polygon;
   }
 

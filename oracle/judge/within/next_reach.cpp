@@ -3,6 +3,7 @@
 #include <array>
 #include <iterator>
 
+#include "kernel/exact/each_once.hpp"
 #include "oracle/judge/within/images.hpp"
 
 namespace circumspect::check {
@@ -14,11 +15,6 @@ struct Forced {
   bool is_all = false;                // is that all that an image consists of?
   bool is_impossible = false;
 };
-
-void make_ascending(std::vector<Vertex>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
 
 // Goes from the paths of the segments of a polygon to the triangles beside them, and from these on,
 // wherever just one triangle near the polygon is on the side of an edge on which the image has one.
@@ -54,7 +50,7 @@ class ForcedPatch {
     for (const std::size_t t : reached_) {
       forced_.vertices.insert(forced_.vertices.end(), triangles_[t].begin(), triangles_[t].end());
     }
-    make_ascending(forced_.vertices);
+    keep_each_once(forced_.vertices);
     const auto has = [&](Vertex v) {
       return std::binary_search(forced_.vertices.begin(), forced_.vertices.end(), v);
     };
@@ -162,7 +158,7 @@ Forced forced_path(std::vector<std::pair<Vertex, const Rational*>> places, const
     forced.vertices.push_back(v);
     forced.is_all = v == last;
   }
-  make_ascending(forced.vertices);
+  keep_each_once(forced.vertices);
   return forced;
 }
 

@@ -351,9 +351,7 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
   }
   const auto is_flat_above = [&](const Simplex& own) {
     const OrientedFacet down = OrientedFacet::of(own);  // counterclockwise: its front is below
-    const bool below = regions_.where(regions_.in_front_of(down)) == Where::kInside;
-    const bool above = regions_.where(regions_.in_front_of(down.reverse())) == Where::kInside;
-    return above == below || above;
+    return regions_.faces_inside(down.reverse()) || !regions_.faces_inside(down);
   };
   return search_among(candidates).found(must_have, is_flat_above);
 }

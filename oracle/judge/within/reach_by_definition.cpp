@@ -30,7 +30,7 @@ Simplex own_triangle(const PiecewiseLinearComplex& complex, std::size_t polygon)
   return t;
 }
 
-ReachAnswer found(definition::LeastReach reach, const PiecewiseLinearComplex& complex) {
+ReachAnswer found(const definition::LeastReach& reach, const PiecewiseLinearComplex& complex) {
   ReachAnswer answer{.kind = ReachAnswer::Kind::kFound, .squared_reach = reach.squared_reach};
   for (const auto& [cell, simplices] : reach.images) {
     if (cell.dimension == 0) answer.images.vertices.push_back(simplices.front().front());
@@ -57,19 +57,15 @@ ReachAnswer found(definition::LeastReach reach, const PiecewiseLinearComplex& co
 ReachAnswer least_reach_by_definition(const ExactMesh& mesh, const std::vector<bool>& used,
                                       const Cells& cells, const Regions& regions,
                                       const Rational& squared_limit) {
-  definition::LeastReach reach =
+  const auto reach =
       definition::least_reach(moved_domain(mesh, used, cells, regions), squared_limit);
-  switch (reach.kind) {
-    case definition::LeastReach::Kind::kFound:
-      return found(std::move(reach), cells.complex());
-    case definition::LeastReach::Kind::kAmbiguous:
-      return {.kind = ReachAnswer::Kind::kAmbiguous, .squared_reach = squared_limit};
-    case definition::LeastReach::Kind::kNone:
-      break;
+  if (reach) return found(*reach, cells.complex());
+  ReachAnswer answer{.kind = ReachAnswer::Kind::kAmbiguous, .squared_reach = squared_limit};
+  if (reach.error()) {
+    answer.kind = ReachAnswer::Kind::kNone;
+    answer.breaches = {*reach.error()};
   }
-  return {.kind = ReachAnswer::Kind::kNone,
-          .squared_reach = squared_limit,
-          .breaches = {*reach.breach}};
+  return answer;
 }
 
 bool is_small_enough_for_definition(const ExactMesh& mesh, const std::vector<bool>& used,
