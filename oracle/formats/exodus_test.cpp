@@ -180,6 +180,10 @@ TEST_CASE("exodus: faults, and a file that ends too early") {
   file.variables[0] = {"coordx", {0}, "", 12, ""};
   CHECK(exodus_error(file).find("expected the type of a variable from 1 to 11, found 12") !=
         std::string::npos);
+  file = tetrahedron_and_triangle();
+  file.variables.back().numbers.clear();
+  CHECK(exodus_error(file).starts_with(
+      "f: expected the numbers of \"connect2\", found the end of the file at byte "));
   // Wherever it is cut off, the file is refused.
   const std::string whole = tetrahedron_and_triangle().written(1);
   for (std::size_t size = 0; size < whole.size(); ++size) {
