@@ -346,7 +346,7 @@ def run(*arguments):
 
 @pytest.mark.parametrize("words, is_passed_on", [
     (["check", "x.ele"], True), (["campaign", "--", "x.cgns"], True), (["check", "x.npz"], True), (["--version"], True), ([], True),
-    (["check", "x.ele", "y.cgns"], False), (["check", "--claim", "cdt", "x.exo"], False),
+    (["check", "x.ele", "y.cgns"], False), (["check", "--claim", "cdt", "x.med"], False),
 ])
 def test_words_for_the_command(words, is_passed_on, monkeypatch):
     """What pip installs has the command in it, which gets all words but those about files that only meshio reads."""

@@ -4,7 +4,8 @@
     rule_pages.py COMMAND      what is not as it should be, one line each; exit 1 if there is something
 
 Each rule and each breach has a page, and each page its rule. The page has its number, its sections in their order, an example
-that breaks this rule and nothing else, and a link to what stands behind it; and `circumspect rule` prints it.
+that breaks this rule and nothing else, and a link to what stands behind it; and `circumspect rule` prints it. A property requires
+each rule of a mesh alone, of hulls, surfaces, diagrams and quality to come up.
 """
 import json
 import pathlib
@@ -24,6 +25,9 @@ BREACHES_BEHIND = "theory/decisions.md#piecewise-linear-complexes"
 OF_ARRAYS = {"plc.index-out-of-range", "plc.degenerate-segment"}
 EXAMPLE = re.compile(r"^\$ circumspect (.*)$", re.MULTILINE)
 OPTIONS = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
+# Of these each rule is named in a property, those of quality as the rows of measures(), one after the other.
+OF_PROPERTIES = {"complex", "hull", "surface", "voronoi", "quality"}
+PROPERTIES = [*sorted((ROOT / "properties").glob("*_property.cpp")), ROOT / "oracle" / "model" / "measure.cpp"]
 LEAST, MOST = 20, 45  # lines without what the example prints
 
 
@@ -62,6 +66,12 @@ def faults_of_text(entry, text):
     length = len(re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL).splitlines())
     if not LEAST <= length <= MOST:
         yield f"expected {LEAST} to {MOST} lines beside the example, found {length}"
+
+
+def faults_of_property(entry, properties):
+    """What is wrong if no property requires that the rule comes up."""
+    if entry.identifier.split(".")[0] in OF_PROPERTIES and not re.search(rf"Rule::{entry.name}\b", properties):
+        yield f"expected a property in properties/ that requires Rule::{entry.name} to come up, found none"
 
 
 def run(command, words):
@@ -103,8 +113,10 @@ def faults(command):
     for path in sorted(FOLDER.glob("*")):
         if path.name not in {f"{entry.identifier}.md" for entry in entries}:
             yield f"docs/rules/{path.name}: there is no such rule"
+    properties = "\n".join(one.read_text(encoding="utf-8") for one in PROPERTIES)
     for entry in entries:
         name = f"docs/rules/{entry.identifier}.md"
+        yield from (f"{name}: {one}" for one in faults_of_property(entry, properties))
         path = FOLDER / f"{entry.identifier}.md"
         if not path.is_file():
             yield f"{name}: expected a page, found none"

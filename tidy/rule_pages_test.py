@@ -45,6 +45,11 @@ class Pages(unittest.TestCase):
         self.assertRegex(self.faults(RULE, "t-junction-2d.ele`", "t-junction.ele`")[0], "a file of the corpus, found corpus/reject/")
         self.assertRegex(self.faults(RULE, "`-q`", "`--quick`")[0], "an option of the command, found --quick")
 
+    def test_a_rule_that_no_property_names(self):
+        self.assertEqual(list(rule_pages.faults_of_property(RULE, "{Rule::kHangingVertex, Rule::kOverlap}")), [])
+        self.assertRegex(list(rule_pages.faults_of_property(RULE, "Rule::kOverlapping"))[0], "requires Rule::kOverlap to come up")
+        self.assertEqual(list(rule_pages.faults_of_property(BREACH, "")), [])
+
     def test_too_long_and_too_short(self):
         self.assertRegex(self.faults(RULE, "## How to mend it\n", "## How to mend it\n" + "\nMore.\n" * 20)[0], "expected 20 to 45 lines")
 

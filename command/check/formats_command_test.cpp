@@ -125,10 +125,11 @@ TEST_CASE("without a domain, a surface and a mesh that is not convex get a note 
   CHECK(has(judged.out, "circumspect check MESH --domain " + surface + " judges"));
   CHECK(run({"inspect", "--domain", surface}).exit_code == 0);
   CHECK(!has(run({"check", surface, "--format", "json"}).out, "triangles in space"));
-  // Where the mesh has tetrahedra as well, or the file cannot be a domain, nobody meant a surface.
+  // Where the file cannot be a domain, the note names claims.
   folder.write("t.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
   const std::string triangle = folder.write("t.ele", "1 3\n0 0 1 2\n");
-  CHECK(!has(run({"check", triangle}).out, "note: "));
+  CHECK(!has(run({"check", triangle}).out, "--domain"));
+  CHECK(has(run({"check", triangle}).out, "--claim convex-hull tells"));
 
   const std::string dented =
       folder.write("d.off", "OFF\n4 2 0\n-2 0 0\n2 0 0\n0 3 0\n0 1 0\n3 0 3 2\n3 1 2 3\n");

@@ -40,6 +40,22 @@ TEST_CASE("check --claim convex-hull: points of the boundary, and what more is d
   CHECK(has(left_out.out, "hull.boundary-point-left-out 1 vertex 4"));
 }
 
+TEST_CASE("check: where facets alone are listed, a note names the claims that are about these") {
+  SmallLists lists;
+  const Run edges = run({"check", lists.hull});
+  CHECK(edges.exit_code == 1);
+  CHECK(has(edges.out, "note: " + lists.hull +
+                           ": edges in the plane are a boundary, not a mesh of what is inside. "
+                           "--claim convex-hull tells"));
+  CHECK(has(run({"check", lists.wide}).out, "triangles in space are a boundary, not a mesh of"));
+  for (const std::string& none : {lists.folder.write("house.ele", "2 3 0\n0 0 1 2\n1 0 2\n"),
+                                  lists.folder.write("cube.ele", "2 2 0\n0 0 1\n1 0 2\n")}) {
+    CHECK(!has(run({"check", none}).out, "are a boundary"));
+  }
+  const Run as_hull = checked(lists.wide, "convex-hull");
+  CHECK(!has(as_hull.out, "are a boundary"));
+}
+
 TEST_CASE("check: what is demanded of a hull needs that claim, and the claim no certificate") {
   SmallLists lists;
   const Run other = checked(lists.hull, "triangulation", {"--only-extreme"});

@@ -41,22 +41,34 @@ std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDoma
   return lone;
 }
 
-// Triangles in space, of a file that can be read as a domain, too.
-std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& mesh,
-                                           const std::string& path) {
-  if (!breaks(verdict, Rule::kWrongDimension) || mesh.points() == 0 || mesh.dimension() != 3) {
+// Edges in the plane, triangles in space, and so on: what a hull or a surface is made of. Some
+// files of triangles can be read as a domain, too.
+std::optional<std::string> note_of_facets(const Verdict& verdict, const Mesh& mesh,
+                                          const std::string& path) {
+  const bool is_of_facets_itself = verdict.claim() == Claim::kConvexHull;
+  if (!breaks(verdict, Rule::kWrongDimension) || is_of_facets_itself || mesh.points() == 0) {
     return std::nullopt;
   }
+  const std::size_t d = mesh.dimension();
   for (std::size_t i = 0; i < mesh.simplices.size(); ++i) {
-    if (mesh.simplices[i].size() != 3) return std::nullopt;
+    if (d < 2 || mesh.simplices[i].size() != d) return std::nullopt;
   }
-  if (formats::extension_inside(path) != ".off" && !formats::is_domain_file(path))
-    return std::nullopt;
+  const bool may_be_domain =
+      formats::extension_inside(path) == ".off" || formats::is_domain_file(path);
+  if (d == 3 && may_be_domain) {
+    return fmt::format(
+        "{0}: triangles in space are a surface, not a mesh of what it encloses. circumspect "
+        "inspect --domain {0} tells whether the surface is valid, and circumspect check MESH "
+        "--domain {0} judges a mesh of its inside",
+        path);
+  }
   return fmt::format(
-      "{0}: triangles in space are a surface, not a mesh of what it encloses. circumspect inspect "
-      "--domain {0} tells whether the surface is valid, and circumspect check MESH --domain {0} "
-      "judges a mesh of its inside",
-      path);
+      "{}: {} are a boundary, not a mesh of what is inside. --claim convex-hull tells whether they "
+      "bound the convex hull of the points, and --claim complex whether they fit together",
+      path,
+      d == 2   ? "edges in the plane"
+      : d == 3 ? "triangles in space"
+               : "these facets");
 }
 
 }  // namespace
@@ -88,7 +100,7 @@ std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh
                                               const std::string& path) {
   std::vector<std::string> notes;
   for (auto& note :
-       {note_of_surface(verdict, mesh, path), report::note_of_domain_not_given(verdict, mesh, path),
+       {note_of_facets(verdict, mesh, path), report::note_of_domain_not_given(verdict, mesh, path),
         report::note_of_set_apart(verdict, path), report::note_of_cut_counts(verdict, path)}) {
     if (note) notes.push_back(*note);
   }

@@ -23,8 +23,8 @@ tl::expected<Verdict, check::NotJudged> judged_within(
     const check::Options& options, const BentDomain* bent = nullptr,
     const check::Markers& markers = {}, check::Work* work = nullptr);
 
-// What may have been meant where no domain was given: that triangles in space are a surface, which
-// is a domain, and that what is not convex is a mesh of one.
+// What may have been meant where no domain was given: that triangles in space are a surface or a
+// hull, and that what is not convex is a mesh of a domain.
 std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh& mesh,
                                               const std::string& path);
 

@@ -268,6 +268,7 @@ TEST_CASE("ucd: nodes by their tags, cells with their materials; data is not rea
   CHECK(!is_ucd(Beginning(named("4 2 0 0\n"))));
   CHECK(!is_ucd(Beginning(named("*Heading\n"))));
   CHECK((format_of(".inp", named(text))->elements == read_ucd));
+  CHECK((format_of(".ucd", named(text))->elements == read_ucd));
   CHECK((format_of(".inp", named("*Heading\n"))->elements == read_abaqus));
 }
 

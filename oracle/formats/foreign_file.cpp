@@ -60,6 +60,16 @@ bool is_jigsaw(const std::vector<std::string_view>& first) {
   return behind.empty() ? first.size() > 1 && first[1].front() == '=' : behind.front() == '=';
 }
 
+// The second line of what qvoronoi o writes has three numbers, the last of which is 1, and the
+// third one is the vertex at infinity.
+bool is_qvoronoi(Lines lines) {
+  constexpr std::string_view kInfinite = "-10.101";
+  if (lines.size() != 1 || !lines.next()) return false;
+  if (lines.size() != 3 || lines.tokens()[2] != "1" || !lines.next()) return false;
+  return std::all_of(lines.tokens().begin(), lines.tokens().end(),
+                     [&](std::string_view token) { return token == kInfinite; });
+}
+
 // What compilers write as .obj: of COFF for x86 and for x64, and of ELF.
 bool is_object_file(std::string_view text) {
   return text.starts_with("\x4c\x01"sv) || text.starts_with("\x64\x86"sv) ||
@@ -96,6 +106,9 @@ std::optional<std::string> foreign_kind(const Source& source) {
   const Format* const read_as = format_of(end, beginning);
   if (is_abaqus(Beginning(beginning)) && read_as != nullptr && read_as->elements != read_abaqus) {
     return "a mesh of Abaqus (give its name the ending .inp)";
+  }
+  if (is_qvoronoi(lines)) {
+    return "a Voronoi diagram of qvoronoi (--claim voronoi --points SITES judges it)";
   }
   if (is_gid(lines.tokens())) {
     return "a mesh of GiD (copy its coordinates to IN.node and its elements to IN.ele, each below "

@@ -2,6 +2,8 @@
 
 #include "oracle/formats/abaqus.hpp"
 #include "oracle/formats/bytes/packed.hpp"
+#include "oracle/formats/dolfin.hpp"
+#include "oracle/formats/exodus.hpp"
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/format.hpp"
 #include "oracle/formats/freefem.hpp"
@@ -13,6 +15,7 @@
 #include "oracle/formats/meshb.hpp"
 #include "oracle/formats/mfem.hpp"
 #include "oracle/formats/nastran.hpp"
+#include "oracle/formats/netgen.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/obj.hpp"
 #include "oracle/formats/off.hpp"
@@ -193,6 +196,7 @@ bool begins_as_meshb(const Beginning& file) { return is_meshb(file.text); }
 bool is_gmsh(const Beginning& file) { return is_gmsh_keyword(file.first_token); }
 bool begins_as_vtk(const Beginning& file) { return is_vtk(file.text); }
 bool begins_as_vtu(const Beginning& file) { return is_vtu(file.text); }
+bool begins_as_dolfin(const Beginning& file) { return is_dolfin(file.text); }
 bool begins_as_xdmf(const Beginning& file) { return is_xdmf(file.text); }
 bool is_su2(const Beginning& file) { return is_su2_keyword(file.first_token); }
 bool is_tet(const Beginning& file) { return file.second_token == "vertices"; }
@@ -245,6 +249,7 @@ constexpr std::array kFormats = {
     Format{.endings = {".msh"}, .is_meant = is_freefem, .elements = read_freefem},
     Format{.endings = {".vtk"}, .is_told = begins_as_vtk, .elements = read_vtk},
     Format{.endings = {".xdmf", ".xmf"}, .is_told = begins_as_xdmf, .elements = read_xdmf},
+    Format{.endings = {}, .is_told = begins_as_dolfin, .elements = read_dolfin},
     Format{.endings = {".vtu", ".vtp"},
            .is_told = begins_as_vtu,
            .elements = read_vtu,
@@ -258,12 +263,14 @@ constexpr std::array kFormats = {
            .is_meant = is_abaqus,
            .elements = read_abaqus,
            .includes = abaqus_inclusion},
-    Format{.endings = {".inp"}, .is_meant = is_ucd, .elements = read_ucd},
+    Format{.endings = {".ucd", ".inp"}, .is_meant = is_ucd, .elements = read_ucd},
     Format{.endings = {".bdf", ".nas"},
            .is_told = is_nastran,
            .elements = read_nastran,
            .includes = nastran_inclusion},
     Format{.endings = {".unv"}, .is_told = is_unv, .elements = read_unv},
+    Format{.endings = {".e", ".exo"}, .is_told = is_exodus, .elements = read_exodus},
+    Format{.endings = {".vol"}, .is_told = is_netgen, .elements = read_netgen},
     Format{.endings = {".su2"}, .is_told = is_su2, .elements = read_su2},
     Format{.endings = {".foam"},
            .elements = read_poly_mesh,

@@ -133,6 +133,16 @@ TEST_CASE("foreign files: GiD's, JIGSAW's and single ones of OpenFOAM are named"
   CHECK_FALSE(is_known("x.msh", "MSHID\n"));
 }
 
+TEST_CASE("foreign files: what qvoronoi writes is named, and not what is nearly that") {
+  const std::string cells = "2\n5 4 1\n-10.101 -10.101 \n0.5 0.5 \n";
+  CHECK(kind("x.txt", cells) ==
+        "a Voronoi diagram of qvoronoi (--claim voronoi --points SITES judges it)");
+  for (const char* text : {"2\n5 4 2\n-10.101 -10.101\n", "2\n5 4 1\n-10.101 0\n", "2 3\n5 4 1\n",
+                           "2\n5 4 1\n", "2\n5 4\n-10.101\n", "2\n"}) {
+    CHECK_FALSE(is_known("x.txt", text));
+  }
+}
+
 TEST_CASE("foreign files: what compilers write as .obj is named") {
   using namespace std::string_literals;
   for (const std::string& bytes : {"\x4c\x01\x02"s, "\x64\x86\x09\0"s,

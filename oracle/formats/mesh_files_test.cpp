@@ -292,11 +292,11 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(endings_of(&Format::has_points).starts_with(".node, .json, .off, .stl, .mesh, "));
   CHECK(endings_of(&Format::has_domain).starts_with(".poly, .smesh, .off, .stl, "));
   CHECK(endings_in_help(&Format::has_mesh).starts_with(".ele (points in the .node beside it), "));
-  const auto netgen = read_points(folder.write("x.vol", "mesh3d\n"), NumberReading::kDouble);
-  REQUIRE(!netgen);
-  CHECK(netgen.error().found ==
-        "a mesh of Netgen (with Debian's python3-meshio: python3 -c 'import meshio; "
-        "meshio.read(\"IN.vol\").write(\"OUT.vtu\")')");
+  const auto salome = read_points(folder.write("x.med", "\x89HDF\n"), NumberReading::kDouble);
+  REQUIRE(!salome);
+  CHECK(salome.error().found ==
+        "a mesh of Salome (with Debian's python3-meshio and python3-h5py: python3 -c 'import "
+        "meshio; meshio.read(\"IN.med\").write(\"OUT.vtu\")')");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

@@ -30,6 +30,7 @@ class MfemReader {
  private:
   Status next_row(const std::string& what);
   Result<std::size_t> next_count(const std::string& what);
+  Status skip_set_of_attributes();
   Status read_section();
   Status read_elements();
   Status read_vertices();
@@ -161,6 +162,26 @@ Status MfemReader::read_values(std::size_t columns, bool is_by_columns) {
   return {};
 }
 
+// A name, which has blanks only in quotes; a count; and as many attributes, on as many lines as
+// they take.
+Status MfemReader::skip_set_of_attributes() {
+  if (Status row = next_row("a set of attributes"); !row) return row;
+  std::size_t column = 0;
+  const bool is_quoted = lines_.tokens()[0].front() == '"';
+  while (is_quoted && column < lines_.size() && lines_.tokens()[column].back() != '"') ++column;
+  if (column == lines_.size()) return lines_.fail_at(column, "the end of a name, a quotation mark");
+  if (++column == lines_.size()) {
+    if (Status row = next_row("the number of attributes of a set"); !row) return row;
+    column = 0;
+  }
+  const Result<std::size_t> count = lines_.count(column, "the number of attributes of a set");
+  if (!count) return tl::unexpected(count.error());
+  for (std::size_t found = lines_.size() - column - 1; found < *count; found += lines_.size()) {
+    if (Status row = next_row("an attribute of a set"); !row) return row;
+  }
+  return {};
+}
+
 Status MfemReader::read_section() {
   const std::string_view keyword = lines_.tokens()[0];
   if (keyword == "dimension") {
@@ -175,7 +196,7 @@ Status MfemReader::read_section() {
     const Result<std::size_t> sets = next_count("the number of sets of attributes");
     if (!sets) return tl::unexpected(sets.error());
     for (std::size_t i = 0; i < *sets; ++i) {
-      if (Status row = next_row("a set of attributes"); !row) return row;
+      if (Status set = skip_set_of_attributes(); !set) return set;
     }
     return {};
   }

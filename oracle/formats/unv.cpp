@@ -55,6 +55,9 @@ constexpr std::array kUnvTypes = {
     UnvType{151, 0, kPoint, "a gap"},
     UnvType{152, 0, kPoint, "a gap"},
     UnvType{161, 1, kPoint, "a point"},
+    // Seen in the half-plane that is turned about an axis.
+    UnvType{171, 2, kPolyline, "an edge"},
+    UnvType{172, 3, kCurvedEdge, "an edge of second order"},
 };
 // These have a line about their orientation.
 constexpr std::array<Vertex, 5> kBeams = {11, 21, 22, 23, 24};

@@ -171,12 +171,18 @@ Status XdmfReader::read_topology(pugi::xml_node topology) {
   return array->expect_end("the elements");
 }
 
+// A collection may say that it has no elements of its own.
+bool has_elements(pugi::xml_node grid) {
+  const pugi::xml_node topology = grid.child("Topology");
+  return topology && !is_word(attribute(topology, "TopologyType", "Type"), "notopology");
+}
+
 // Grids of a collection are inside of another.
 Result<ElementFile> XdmfReader::read() {
   pugi::xml_node first;
   std::size_t others = 0;
   for (const pugi::xml_node grid : document_->grids()) {
-    if (!grid.child("Topology")) continue;
+    if (!has_elements(grid)) continue;
     if (!first && grid.child("Geometry")) {
       first = grid;
     } else {

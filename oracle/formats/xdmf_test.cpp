@@ -45,6 +45,16 @@ Result<Hdf5Array> sample(const std::string& name, const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("xdmf: a collection may say that it has no elements of its own") {
+  const std::string none = "<Geometry Type=\"None\"/><Topology Type=\"NoTopology\"/>";
+  const auto inner =
+      xdmf(document_of("<Grid GridType=\"Collection\">" + none +
+                       grid(kTextPoints, "Tetrahedron", item("1 4", "0 1 2 3")) + "</Grid>"));
+  REQUIRE_MESSAGE(inner, error_of(inner));
+  CHECK(inner->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(inner->notes.empty());
+}
+
 TEST_CASE("xdmf: text, elements of one type and mixed ones, several grids") {
   const auto one = xdmf(document_of(grid(kTextPoints, "Tetrahedron", item("1 4", "0 1 2 3"))));
   REQUIRE_MESSAGE(one, error_of(one));

@@ -115,7 +115,9 @@ void Composer::add_witness() {
     name_all(json_["face"], *named.face);
   }
   const auto labelled = [this](Vertex v) { return Simplex{mesh_.label(v)}; };
-  json_["vertices"] = places(witness_.vertices);
+  // A face that is one vertex is marked as a vertex is, or it would be lost among its simplices.
+  const bool is_vertex = witness_.face && witness_.face->size() == 1 && witness_.vertices.empty();
+  json_["vertices"] = places(is_vertex ? *witness_.face : witness_.vertices);
   for (std::size_t i = 0; i < witness_.vertices.size(); ++i) {
     name_all(Json::array({json_["vertices"][i]}), labelled(witness_.vertices[i]));
   }

@@ -42,6 +42,16 @@ Json picture_of(const ExactMesh& mesh) {
   return all.front();
 }
 
+TEST_CASE("picture: a face that is one vertex is marked as a vertex is") {
+  const ExactMesh bow_tie{PointSet({{0, 0}, {-2, 1}, {-2, -1}, {2, 1}, {2, -1}}),
+                          {{0, 1, 2}, {0, 4, 3}}};
+  const auto all =
+      pictures(check::judge_points(Claim::kTriangulation, bow_tie), in_rows(bow_tie), nullptr, 20);
+  REQUIRE(!all.empty());
+  CHECK(all[0]["face"].size() == 1);
+  CHECK(all[0]["vertices"] == all[0]["face"]);
+}
+
 TEST_CASE("picture: the witness first, by the user's indices, and what is around it") {
   const Json picture = picture_of(kite());
   CHECK(picture["dimension"] == 2);

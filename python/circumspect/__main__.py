@@ -14,7 +14,7 @@ import circumspect
 from circumspect import _core
 
 # Which meshio reads and the command does not.
-FILES_OF_MESHIO = (".exo", ".e", ".ex2", ".cgns", ".h5m", ".med", ".avs", ".f3grid", ".hmf", ".tec",
+FILES_OF_MESHIO = (".ex2", ".cgns", ".h5m", ".med", ".avs", ".f3grid", ".hmf", ".tec",
                    ".ugrid", ".post", ".post.gz", ".dato", ".dato.gz")
 VERIFIED = pathlib.Path(__file__).with_name("bin") / "circumspect-verified"
 

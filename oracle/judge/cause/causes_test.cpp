@@ -174,6 +174,32 @@ TEST_CASE("causes: a simplex that is missing, inside and at the hull") {
   CHECK(named(corner, Claim::kDelaunay) == "none");  // two triangles each: no hole of one
 }
 
+// The last point is beside the middle of the edge or triangle of the first ones.
+std::string named_beside_hull(const Rational& height, std::size_t d) {
+  Lists lists;
+  if (d == 2) {
+    lists.points = {{0, 0}, {4, 0}, {2, 3}, {2, height}};
+    lists.simplices = {{0, 3, 2}, {3, 1, 2}};
+  } else {
+    lists.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {1, 1, height}};
+    lists.simplices = {{0, 1, 4, 3}, {1, 2, 4, 3}, {0, 4, 2, 3}};
+  }
+  return named(lists, Claim::kTriangulation);
+}
+
+TEST_CASE("causes: of slivers that are missing it is said how high they are") {
+  const Rational tiny(1, 1L << 50);
+  CHECK(named_beside_hull(tiny, 2) ==
+        "missing-simplex: 1 triangle is missing: 0 1 3 fills the hole, at most 8.9e-16 high, as if "
+        "its corners were taken for collinear");
+  CHECK(named_beside_hull(tiny, 3) ==
+        "missing-simplex: 1 tetrahedron is missing: 0 1 2 4 fills the hole, at most 8.9e-16 high, "
+        "as if its corners were taken for coplanar");
+  for (const std::size_t d : {2u, 3u}) {
+    CHECK(named_beside_hull(Rational(1, 1L << 16), d).ends_with("fills the hole"));
+  }
+}
+
 TEST_CASE("causes: a mesh that is folded has not the points of another one") {
   Lists folded = grid<2>(7);
   for (Point& point : folded.points) {

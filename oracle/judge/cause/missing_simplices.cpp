@@ -16,6 +16,7 @@
 #include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/rows.hpp"
 #include "oracle/judge/cause/surface_edges.hpp"
+#include "oracle/judge/quality/exact_measure.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::check {
@@ -26,6 +27,9 @@ constexpr std::size_t kMostUnused = 16;
 // With more simplices than this, those that fit exactly into holes are not judged with the others,
 // which would take as long as the verdict did.
 constexpr std::size_t kMostMended = 50'000;
+
+// The longest edge over the least height, squared: what is thinner was hardly left out on purpose.
+constexpr long kThin = 1'000'000'000'000;
 
 // Bare facets, found by their vertices.
 class BareFacets {
@@ -195,12 +199,34 @@ IndexLists with_more(const Mesh& mesh, const std::vector<Simplex>& more) {
   });
 }
 
+// Programs with a tolerance take points for collinear, or coplanar, that are nearly so. The square
+// of the greatest height of all, if each is thin.
+std::optional<Rational> squared_height_of_slivers(int dimension, const Mesh& mesh,
+                                                  const std::vector<Simplex>& missing) {
+  Rational greatest = 0;
+  for (const Simplex& simplex : missing) {
+    const auto ratio = quality::measured(Measure::kAspectRatio, mesh, simplex, dimension);
+    if (!ratio || ratio->value < kThin) return std::nullopt;
+    const auto edge = quality::measured(Measure::kEdge, mesh, simplex, dimension);
+    greatest = std::max<Rational>(greatest, edge->value / ratio->value);
+  }
+  return greatest;
+}
+
 std::string words_of(int dimension, const Mesh& mesh, const std::vector<Simplex>& missing) {
-  const auto noun = report::simplices_noun(dimension, missing.size());
+  const std::size_t count = missing.size();
+  const auto noun = report::simplices_noun(dimension, count);
   const std::string first = report::labels(mesh, missing.front());
-  if (missing.size() == 1) return fmt::format("1 {} is missing: {} fills the hole", noun, first);
-  return fmt::format("{} {} are missing: {} and {} more fill the holes", missing.size(), noun,
-                     first, missing.size() - 1);
+  const auto height = squared_height_of_slivers(dimension, mesh, missing);
+  const std::string thin =
+      !height ? ""
+              : fmt::format(", {} {} high, as if {} corners were taken for {}",
+                            count == 1 ? "at most" : "each at most",
+                            report::square_root_rounded_up(*height), count == 1 ? "its" : "their",
+                            dimension == 2 ? "collinear" : "coplanar");
+  if (count == 1) return fmt::format("1 {} is missing: {} fills the hole{}", noun, first, thin);
+  return fmt::format("{} {} are missing: {} and {} more fill the holes{}", count, noun, first,
+                     count - 1, thin);
 }
 
 // What simplices explain that fit exactly into holes: the violations at their faces.

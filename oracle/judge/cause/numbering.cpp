@@ -182,16 +182,33 @@ std::optional<Cause> last_coordinate_is_none(Case& of) {
                   mended->explains);
 }
 
+// In a model with shells and beams beside solids, only faces that are listed have some points.
+bool are_in_listed_faces(const Mesh& mesh, std::size_t count) {
+  if (mesh.faces.empty()) return false;
+  std::vector<bool> is_in_face(mesh.points(), false);
+  for (const Simplex& face : mesh.faces) {
+    for (const Vertex v : face) {
+      if (mesh.names(v)) is_in_face[static_cast<std::size_t>(v)] = true;
+    }
+  }
+  const std::vector<Vertex> unused = unused_points(mesh, count);
+  return std::all_of(unused.begin(), unused.end(),
+                     [&](Vertex v) { return is_in_face[static_cast<std::size_t>(v)]; });
+}
+
 std::optional<Cause> left_over_points(Case& of) {
   // If indices name no points, others are left over.
   if (of.verdict().claim() != Claim::kComplex || of.breaks(Rule::kUnknownVertex)) {
     return std::nullopt;
   }
   const std::size_t count = of.count(Rule::kUnusedPoint);
+  const char* const but = !are_in_listed_faces(of.mesh(), count) ? ""
+                          : count == 1                           ? ", but in a listed face"
+                                                                 : ", but in listed faces";
   return of.cause("unused-points",
-                  fmt::format("{} {} in no {}: --allow-unused lets {} pass{}",
+                  fmt::format("{} {} in no {}{}: --allow-unused lets {} pass{}",
                               report::counted(count, "point"), count == 1 ? "is" : "are",
-                              report::simplices_noun(of.verdict().complex->dimension, 1),
+                              report::simplices_noun(of.verdict().complex->dimension, 1), but,
                               count == 1 ? "it" : "them",
                               count == of.violations() ? ", and the claim holds" : ""),
                   count);

@@ -171,6 +171,17 @@ TEST_CASE("causes: points that no simplex uses") {
         "unused-points: 2 points are in no triangle: --allow-unused lets them pass, and the claim "
         "holds");
   CHECK(named(arcs, Claim::kTriangulation).find("--allow-unused") == std::string::npos);
+  // Of a beam, the ends of which are in no triangle.
+  Mesh with_beam = in_arrays(arcs);
+  const auto said = [&](Simplex beam) {
+    with_beam.faces = {{0, 1}, std::move(beam)};
+    const Verdict verdict = judge(Claim::kComplex, with_beam, nullptr, {}).value();
+    return causes(verdict, with_beam, [](const Mesh&) { return std::nullopt; }).found[0].words;
+  };
+  const auto end = static_cast<Vertex>(arcs.points.size());
+  CHECK(said({end - 2, end - 1}).starts_with("2 points are in no triangle, but in listed faces: "));
+  CHECK(said({0, end - 1}).starts_with("2 points are in no triangle: "));
+  CHECK(said({end, end - 1}).starts_with("2 points are in no triangle: "));
   arcs.simplices.push_back(arcs.simplices.front());
   CHECK(explained(arcs, Claim::kComplex, "unused-points") == std::pair{2UL, 3UL});
   // If all that is unused is so since indices begin at 1, that is the cause.
