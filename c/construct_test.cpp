@@ -1,4 +1,5 @@
 // What the C interface builds.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,49 @@ TEST_CASE("references are built, and domains of space taken") {
   const circumspect_mesh repeated = mesh_of(equal, {});
   CHECK(circumspect_delaunay(&repeated, &built) == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "expected distinct points, found points 1 and 3 equal"));
+}
+
+// Are all simplices of `vertices` positively oriented?
+bool are_positive(const circumspect_triangulation* built, std::int64_t vertices,
+                  const std::vector<double>& points) {
+  const std::int64_t* indices = nullptr;
+  const std::int64_t count = circumspect_triangulation_simplices(built, vertices, &indices);
+  bool are = count > 0;
+  for (std::int64_t s = 0; s < count; ++s) {
+    std::vector<double> corners;
+    for (std::int64_t i = 0; i < vertices; ++i) {
+      const auto first = points.begin() + indices[s * vertices + i] * (vertices - 1);
+      corners.insert(corners.end(), first, first + vertices - 1);
+    }
+    int sign = 0;
+    CHECK(circumspect_orientation(vertices - 1, corners.data(), &sign) == CIRCUMSPECT_OK);
+    are = are && sign > 0;
+  }
+  return are;
+}
+
+TEST_CASE("simplices are positively oriented, in whatever order the points are") {
+  for (const bool is_reversed : {false, true}) {
+    std::vector<double> plane = {0, 0, 4, 0, 4, 4, 0, 4, 1, 2, 3, 1};
+    std::vector<double> space = {0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 1, 1, 1, 4, 4, 5};
+    if (is_reversed) std::reverse(plane.begin(), plane.end());
+    if (is_reversed) std::reverse(space.begin(), space.end());
+    circumspect_triangulation* built = nullptr;
+    circumspect_mesh mesh = mesh_of(plane, {});
+    REQUIRE(circumspect_delaunay(&mesh, &built) == CIRCUMSPECT_OK);
+    CHECK(are_positive(built, 3, plane));
+    circumspect_triangulation_free(built);
+    const circumspect_domain hull = of_segments(plane, {});
+    REQUIRE(circumspect_constrained_delaunay(&hull, &built) == CIRCUMSPECT_OK);
+    CHECK(are_positive(built, 3, plane));
+    circumspect_triangulation_free(built);
+    mesh = mesh_of(space, {});
+    mesh.dimension = 3;
+    mesh.point_count = 6;
+    REQUIRE(circumspect_delaunay(&mesh, &built) == CIRCUMSPECT_OK);
+    CHECK(are_positive(built, 4, space));
+    circumspect_triangulation_free(built);
+  }
 }
 
 TEST_CASE("Schoenhardt's polyhedron has none, and that is said") {

@@ -164,6 +164,28 @@ TEST_CASE("equal points of a domain are merged with those of the mesh") {
   REQUIRE(merged.status == CIRCUMSPECT_OK);
   CHECK(circumspect_verdict_holds(merged.verdict.get()) == 1);
   CHECK(has(circumspect_verdict_claim(merged.verdict.get()), "cdt"));
+  // A ring whose last corner equals its first, and one whose corners repeat, is the same ring.
+  const std::vector<std::int64_t> ring = {0, 1, 2, 3, 4}, one = {0, 1}, five = {0, 5};
+  domain.segment_count = 0;
+  domain.polygon_count = 1;
+  domain.polygon_starts = one.data();
+  domain.line_starts = five.data();
+  domain.corners = ring.data();
+  const Checked of_ring = check(nullptr, &mesh, &domain, &options);
+  REQUIRE(of_ring.status == CIRCUMSPECT_OK);
+  CHECK(circumspect_verdict_holds(of_ring.verdict.get()) == 1);
+  const std::vector<std::int64_t> beyond = {0, 1, 2, 9};
+  const circumspect_domain unknown = of_segments(points, beyond);
+  CHECK(check(nullptr, &mesh, &unknown, &options).status == CIRCUMSPECT_INPUT_FAULT);
+  CHECK(has(circumspect_last_error(), "expected corners among 5 points, found 9"));
+  // What is wrong is named by the indices that were given: 1 is another name of 0.
+  const std::vector<double> more = {0, 0, 0, 0, 4, 0, 4, 4, 0, 4};
+  const std::vector<std::int64_t> crossed = {1, 3, 2, 4};
+  const circumspect_domain crossing = of_segments(more, crossed);
+  CHECK(check(nullptr, &mesh, &crossing, &options).status == CIRCUMSPECT_INPUT_FAULT);
+  INFO(circumspect_last_error());
+  CHECK(has(circumspect_last_error(), "segment 0 3"));
+  CHECK(has(circumspect_last_error(), "segment 2 4"));
 }
 
 }  // namespace

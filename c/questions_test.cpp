@@ -34,6 +34,26 @@ TEST_CASE("demands are named by words, and asked of the claim that has them") {
   CHECK(has(circumspect_last_error(), "all-boundary-points only-extreme; found 'extreme'"));
 }
 
+TEST_CASE("a mesh alone may be asked to list its simplices in one sense, or in a named one") {
+  const std::vector<double> points = {0, 0, 1, 0, 1, 1, 0, 1};
+  const std::vector<std::int32_t> positive = {0, 1, 2, 0, 2, 3}, negative = {1, 0, 2, 2, 0, 3},
+                                  mixed = {0, 1, 2, 2, 0, 3};
+  const auto holds = [&](const std::vector<std::int32_t>& rows, bool oriented,
+                         const char* demands = nullptr) {
+    const circumspect_mesh mesh = mesh_of(points, rows);
+    circumspect_options options = CIRCUMSPECT_OPTIONS;
+    options.oriented = oriented ? 1 : 0;
+    options.demands = demands;
+    return circumspect_verdict_holds(check("complex", &mesh, nullptr, &options).verdict.get()) == 1;
+  };
+  for (const auto& rows : {positive, negative, mixed}) {
+    CHECK(holds(rows, false));
+    CHECK(holds(rows, true) == (rows != mixed));
+    CHECK(holds(rows, false, "oriented=positive") == (rows == positive));
+    CHECK(holds(rows, false, "oriented=negative") == (rows == negative));
+  }
+}
+
 TEST_CASE("cells are judged within a distance and a box") {
   const std::vector<double> sites = {0, 0, 4, 0, 4, 4, 0, 4};
   std::vector<double> vertices = {2, 2.5};

@@ -93,6 +93,14 @@ TEST_CASE("a mesh of nothing is refused, unless it is allowed") {
   // Points without simplices are a mesh, and a wrong one.
   const circumspect_mesh points = mesh_of(kPoints, {});
   CHECK(circumspect_verdict_holds(check("delaunay", &points).verdict.get()) == 0);
+  // So are simplices, triangles or edges without points.
+  circumspect_mesh without_points = mesh_of({}, kRight);
+  CHECK(circumspect_verdict_holds(check("complex", &without_points).verdict.get()) == 0);
+  const std::vector<std::int64_t> edge = {0, 1};
+  without_points.simplex_count = 0;
+  without_points.edge_count = 1;
+  without_points.edges = edge.data();
+  CHECK(circumspect_verdict_holds(check("cdt", &without_points, &domain).verdict.get()) == 0);
 }
 
 TEST_CASE(
@@ -138,6 +146,15 @@ TEST_CASE("starts that no array can have are refused") {
   domain.line_starts = lines.data();
   CHECK(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_INVALID_ARGUMENT);
   CHECK(has(circumspect_last_error(), "expected fewer corners"));
+  // The first line, or the first corner, would be left out.
+  const std::vector<std::int64_t> later = {1, 1, 2, 3, 4}, later_corners = {1, 3, 6, 9, 12};
+  check_refused(of_polygons(kTetrahedron, later, kLineStarts, kFaces), CIRCUMSPECT_INVALID_ARGUMENT,
+                "expected polygon_starts that ascend from 0");
+  check_refused(of_polygons(kTetrahedron, kStarts, later_corners, kFaces),
+                CIRCUMSPECT_INVALID_ARGUMENT, "expected line_starts that ascend from 0");
+  const std::vector<std::int64_t> empty_line = {0, 0, 6, 9, 12};
+  check_refused(of_polygons(kTetrahedron, kStarts, empty_line, kFaces),
+                CIRCUMSPECT_INVALID_ARGUMENT, "expected lines with corners");
   domain = tetrahedron();
   domain.polygon_count = most;
   CHECK(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_INVALID_ARGUMENT);

@@ -135,6 +135,21 @@ TEST_CASE("a mesh that fails, and its witness in numbers") {
         "triangulation.unknown-vertex");
 }
 
+TEST_CASE("as many witnesses are kept as was asked, and all are counted") {
+  const std::vector<std::int32_t> unknown = {0, 1, 7, 0, 3, 8, 1, 2, 9};
+  const circumspect_mesh mesh = mesh_of(kPoints, unknown);
+  for (const std::int64_t most : {1, 2, 0}) {
+    circumspect_options options = CIRCUMSPECT_OPTIONS;
+    options.max_violations = most;
+    const Checked found = check("triangulation", &mesh, nullptr, &options);
+    REQUIRE(found.status == CIRCUMSPECT_OK);
+    CHECK(circumspect_verdict_violation_count(found.verdict.get()) == (most == 0 ? 3 : most));
+    std::int64_t count = 0;
+    CHECK(has(circumspect_verdict_rule(found.verdict.get(), 0, &count), "unknown-vertex"));
+    CHECK(count == 3);
+  }
+}
+
 TEST_CASE("wide indices, neighbours, weights, exact numbers and options") {
   circumspect_mesh mesh = mesh_of(kPoints, kRight);
   const std::vector<std::int64_t> wide(kRight.begin(), kRight.end());
@@ -155,7 +170,11 @@ TEST_CASE("wide indices, neighbours, weights, exact numbers and options") {
   const std::array<const char*, 4> weight_texts = {"0", "-1/3", "0", "0"};
   mesh.weights = nullptr;
   mesh.exact_weights = weight_texts.data();
-  CHECK(check("weighted-delaunay", &mesh).status == CIRCUMSPECT_OK);
+  CHECK(circumspect_verdict_holds(check("weighted-delaunay", &mesh).verdict.get()) == 1);
+  // Texts mean the same weights as doubles.
+  const std::array<const char*, 4> same_texts = {"0", "0", "0", "-1"};
+  mesh.exact_weights = same_texts.data();
+  CHECK(circumspect_verdict_holds(check("weighted-delaunay", &mesh).verdict.get()) == 0);
   // On the circle as texts, where their doubles are beside it: 0.6² + 0.8² = 1.
   const std::array<const char*, 8> texts = {"0", "1", "1", "0", "0.6", "0.8", "-3/5", "4/5"};
   mesh = mesh_of(kPoints, kRight);
@@ -226,6 +245,12 @@ TEST_CASE("a domain, moved or not") {
   const Checked within = check("cdt", &moved, &domain, &options);
   REQUIRE(within.status == CIRCUMSPECT_OK);
   CHECK(has(circumspect_verdict_text(within.verdict.get()), "within"));
+  // Exactly as far as it was moved, and no less; the square of a sixteenth is far less.
+  rounded[2] = 1.0625;
+  options.within = "0.0625";
+  CHECK(circumspect_verdict_holds(check("cdt", &moved, &domain, &options).verdict.get()) == 1);
+  options.within = "0.0624";
+  CHECK(circumspect_verdict_holds(check("cdt", &moved, &domain, &options).verdict.get()) == 0);
   options.within = "-1";
   CHECK(check("cdt", &moved, &domain, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
   options.within = "1";

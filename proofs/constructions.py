@@ -29,6 +29,17 @@ def simplices(rows):
     return found
 
 
+def misread(verified, points):
+    """Where the file announces one point more or one less than it lists: how many, if this is not refused."""
+    header, *rows = [line for line in points.read_text().splitlines() if line and not line.startswith("#")]
+    other = points.with_name("other.node")
+    for count in (len(rows) - 1, len(rows) + 1):
+        other.write_text("\n".join([" ".join([str(count), *header.split()[1:]]), *rows]) + "\n")
+        if ran(verified, "build", "delaunay", other).returncode != 3:
+            return count
+    return None
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("circumspect")
@@ -50,6 +61,10 @@ def main():
             if drawn.returncode != 0 or proved.returncode == 3 and "that do not" in proved.stdout:  # they lie in a plane
                 continue
             made += 1
+            announced = misread(asked.verified, points) if made == 1 else None
+            if announced is not None:
+                print(f"expected a refusal where {announced} points are announced, of\n{points.read_text()}", file=sys.stderr)
+                return 1
             expected = simplices(proved.stdout)
             for algorithm in algorithms:
                 built = ran(asked.circumspect, "build", "delaunay", points, "--algorithm", algorithm, "-o", mesh, "--quiet")

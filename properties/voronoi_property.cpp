@@ -17,6 +17,7 @@
 #include "oracle/judge/voronoi/judge_structure.hpp"
 #include "oracle/judge/voronoi/judge_voronoi.hpp"
 #include "oracle/judge/voronoi/sites_around.hpp"
+#include "oracle/judge/voronoi/structure_by_corners.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/arguments/run.hpp"
@@ -307,6 +308,44 @@ TEST_CASE("voronoi: no site that is far away is forgotten where it cuts a cell")
       CHECK(around.corners_of_cell(site) == cell.corners());
     }
   }
+}
+
+// Points of a small grid: cells of several sites meet in a point, or in space in an edge. A side of
+// the box goes through a vertex, so that some ridges touch it from within.
+TEST_CASE("voronoi: linear programs find the ridges, and which leave the box, as corners do") {
+  std::array<std::size_t, 2> seen = {};  // those that do not leave, and those that do
+  for (std::uint64_t seed = 0; seed < 9; ++seed) {
+    Dice dice(seed);
+    const std::size_t d = seed < 8 ? 2 : 3;
+    std::set<Point> points;
+    while (points.size() < (d == 2 ? 9 : 8)) {
+      Point point;
+      for (std::size_t axis = 0; axis < d; ++axis)
+        point.push_back(dice.within(0L, d == 2 ? 3L : 1L));
+      points.insert(point);
+    }
+    if (d == 3) points.insert({Rational(1, 2), Rational(1, 2), dice.within(2L, 4L)});
+    const PointSet sites({points.begin(), points.end()});
+    JudgedBox box = default_box(sites);
+    const auto whole = definition::exact_structure(sites, box);
+    box.high[0] = whole.vertices.rbegin()->first[0];
+    const auto exact = definition::exact_structure(sites, box);
+    std::vector<std::vector<Point>> cells;
+    for (Vertex site = 0; sites.names(site); ++site) {
+      cells.push_back(definition::exact_corners(sites, site, box));
+    }
+    const auto by_corners = check::structure_by_corners(sites, cells);
+    REQUIRE(exact.ridges.size() == by_corners.ridges.size());
+    for (const auto& [pair, ridge] : exact.ridges) {
+      const auto other = by_corners.ridges.find(pair);
+      REQUIRE(other != by_corners.ridges.end());
+      CHECK(ridge.ends == other->second.ends);
+      CHECK(ridge.leaves_box == other->second.leaves_box);
+      ++seen[ridge.leaves_box ? 1 : 0];
+    }
+  }
+  CHECK(seen[0] > 20);
+  CHECK(seen[1] > 20);
 }
 
 // A ridge with another end, without one of its ends, or unbounded and not.

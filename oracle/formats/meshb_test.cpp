@@ -50,17 +50,34 @@ TEST_CASE("meshb: an end without the section End is noted") {
   CHECK(file->notes[0] == "f: no section End; if the file was cut off, it is between sections");
 }
 
+// With another number of 4 bytes at that place.
+std::string changed(std::string bytes, std::size_t at, std::uint64_t value) {
+  return bytes.replace(at, 4, stored(value, 4, kLittleEndian));
+}
+
+TEST_CASE("meshb: sections of other kinds are skipped, and indices may name no vertex") {
+  const std::string whole = meshb(kTetrahedron, kLittleEndian, 2);
+  const auto skipped = read_bytes(changed(whole, 144, 99));
+  REQUIRE(skipped);
+  CHECK(skipped->tetrahedra.simplices.size() == 1);
+  const auto unknown = read_bytes(changed(whole, 172, 0xFFFFFFFF));
+  REQUIRE(unknown);
+  CHECK(unknown->tetrahedra.simplices[0] == Simplex{-1, 2, 3, 4});
+}
+
 TEST_CASE("meshb: faults") {
   const std::string whole = meshb(kTetrahedron, kLittleEndian, 2);
   const auto with = [&](std::size_t at, std::uint64_t value) {
-    std::string bytes = whole;
-    return error_of(read_bytes(bytes.replace(at, 4, stored(value, 4, kLittleEndian))));
+    return error_of(read_bytes(changed(whole, at, value)));
   };
   CHECK(error_of(read_bytes("")) ==
         "f: expected the integer 1 and a version from 1 to 4, of 4 bytes each, found \"\"");
   CHECK(with(4, 5) ==
         "f: expected the integer 1 and a version from 1 to 4, of 4 bytes each, found "
         "\"\\x01\\x00\\x00\\x00\\x05\\x00\\x00\\x00\"");
+  for (const std::size_t at : {0, 4}) {
+    CHECK(with(at, 0).starts_with("f: expected the integer 1 and a version from 1 to 4"));
+  }
   CHECK(with(16, 4) == "f: expected dimension 2 or 3, found 4");
   CHECK(with(8, 99) == "f: expected the section Dimension before Vertices, found Vertices");
   CHECK(with(20, 3) == "f: expected one section Dimension, found another");
@@ -70,6 +87,11 @@ TEST_CASE("meshb: faults") {
         "f: expected 3 vertices of 28 bytes, found 112 bytes up to the next section");
   CHECK(with(36, 0x7FF00000) == "f: expected a finite number for vertex 1 of 4, found infinity");
   CHECK(with(36, 0x7FF80000) == "f: expected a finite number for vertex 1 of 4, found NaN");
+  CHECK(with(144, 4) == "f: expected one section Vertices, found another");
+  CHECK(with(24, 145) ==
+        "f: expected 4 vertices of 28 bytes, found 113 bytes up to the next section");
+  CHECK(with(12, 21) == "f: expected the dimension, of 4 bytes, found another section");
+  CHECK(with(148, 99999).ends_with(" at byte 148, found 99999"));
   CHECK(with(12, 19) == "f: expected the dimension, of 4 bytes, found another section");
   CHECK(with(12, 15) == "f: expected the place of the next section, from byte 16 to " +
                             std::to_string(whole.size()) + ", at byte 12, found 15");

@@ -19,9 +19,10 @@ Mesh two_triangles(std::vector<Simplex> faces) {
   return mesh;
 }
 
-Verdict judged_with_faces(const Mesh& mesh, By by, bool asks_for_faces = true) {
+Verdict judged_with_faces(const Mesh& mesh, By by, bool asks_for_faces = true,
+                          std::size_t max_violations = 0) {
   return judge(Claim::kComplex, mesh, nullptr,
-               {.by = by, .complex = {.faces = asks_for_faces}, .max_violations = 0})
+               {.by = by, .complex = {.faces = asks_for_faces}, .max_violations = max_violations})
       .value();
 }
 
@@ -40,6 +41,8 @@ TEST_CASE("the witness of a stray face is the face, and its index among those li
   for (const By by : {By::kLemma, By::kDefinition}) {
     const Verdict verdict = judged_with_faces(mesh, by);
     CHECK(verdict.tallies().at(Rule::kStrayFace).count == 4);
+    // However many witnesses are kept.
+    CHECK(judged_with_faces(mesh, by, true, 1).tallies().at(Rule::kStrayFace).count == 4);
     std::vector<std::string> found;
     for (const auto& [rule, witness] : verdict.violations()) {
       if (rule != Rule::kStrayFace) continue;
@@ -52,6 +55,14 @@ TEST_CASE("the witness of a stray face is the face, and its index among those li
                                             "index among the listed edges 3: 6 5",
                                             "index among the listed triangles 2: 0 3 5",
                                             "index among the listed edges 4: 9 1"});
+  }
+}
+
+TEST_CASE("a face that names no point, or one twice, or only one, is stray whoever has it") {
+  Mesh mesh = two_triangles({{7, 1}, {-1, 0}, {2, 2}, {0}, {2, 5}});
+  mesh.simplices = IndexLists(std::vector<Simplex>{{0, 1, 7}, {-1, 0, 2}, {2, 2, 5}, {0}});
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    CHECK(judged_with_faces(mesh, by).tallies().at(Rule::kStrayFace).count == 4);
   }
 }
 

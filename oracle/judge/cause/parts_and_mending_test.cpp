@@ -62,6 +62,22 @@ TEST_CASE("causes: listed faces count from another number, or only some of them 
   }
 }
 
+TEST_CASE("causes: a mended mesh has the faces that are listed beside it") {
+  Lists lists = grid<2>(4);
+  lists.simplices.push_back(lists.simplices.front());
+  Mesh mesh = in_arrays(lists);
+  const auto judged = [](const Mesh& one) -> std::optional<Verdict> {
+    return judge(Claim::kComplex, one, nullptr, {.complex = {.faces = true}}).value();
+  };
+  for (const bool is_stray : {false, true}) {
+    mesh.faces = {is_stray ? Simplex{0, 15} : Simplex{0, 1}};
+    const std::vector<Cause> found = causes(*judged(mesh), mesh, judged).found;
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "listed-twice");
+    CHECK((found[0].words.find("the claim holds") == std::string::npos) == is_stray);
+  }
+}
+
 // How much a cause explains, of how much.
 std::pair<std::size_t, std::size_t> explained(const Lists& lists, Claim claim,
                                               const std::string& name) {

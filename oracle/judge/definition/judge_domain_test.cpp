@@ -154,6 +154,12 @@ TEST_CASE("a dangling polygon has a triangulation of its own") {
   rhombus.segments.clear();
   // In space a long edge has a small ball; the triangles along it have none that is empty.
   CHECK(with(lengthwise, Claim::kConformingDelaunay) == Broken{{Rule::kNoEmptyBall, 2}});
+  // Under a pyramid the same triangles are faces of tetrahedra, and do not dangle.
+  PiecewiseLinearInput pyramid = rhombus;
+  pyramid.points.push_back({3, 0, 4});
+  for (Vertex v = 0; v < 4; ++v) pyramid.polygons.push_back({{{v, (v + 1) % 4, 4}}, {}});
+  CHECK(broken_in_domain(Claim::kCdt, {PointSet(pyramid.points), {{0, 1, 2, 4}, {0, 2, 3, 4}}},
+                         pyramid) == Broken{{Rule::kVisibleVertexInBall, 2}});
 }
 
 TEST_CASE("a cube: its tetrahedra are inside, and cover it") {

@@ -2,6 +2,8 @@
 // measured.
 #include <doctest/doctest.h>
 
+#include "inputs/dice.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/model/listed_mesh_test.hpp"
 
@@ -114,6 +116,68 @@ TEST_CASE("doubles that overflow or underflow in the filter are decided exactly"
     CHECK(broken(mesh, "volume:1") == (scale > 1 ? 1 : 0));
     CHECK(broken(mesh, "min-edge:1") == (scale > 1 ? 0 : 1));
   }
+}
+
+// Three rooms beside each other, with a wall after 3 and one after 5; the one in the middle has no
+// bound.
+Domain three_rooms(const Rational& most_left, const Rational& most_right) {
+  PiecewiseLinearInput input;
+  for (const long x : {0, 3, 5, 9}) {
+    for (const long y : {0, 4}) input.points.push_back({x, y});
+  }
+  input.segments = {{0, 1}, {2, 3}, {4, 5}, {6, 7}};
+  for (Vertex v = 0; v < 6; ++v) input.segments.push_back({v, v + 2});
+  Domain rooms{assemble(input)};
+  rooms.region_bounds = {{{1, 1}, most_left}, {{6, 1}, most_right}, {{2, 3}, most_left}};
+  return rooms;
+}
+
+TEST_CASE("each region has its bound, in whatever order its triangles are listed") {
+  generators::Dice dice(46);
+  const Domain rooms = three_rooms(Rational(3, 2), 2);
+  std::vector<Point> points;
+  std::vector<Simplex> triangles;
+  std::size_t expected = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::size_t room = dice.below(3);
+    const long low[] = {0, 3, 5}, high[] = {3, 5, 9};
+    Simplex& triangle = triangles.emplace_back();
+    for (int corner = 0; corner < 3; ++corner) {
+      triangle.push_back(static_cast<Vertex>(points.size()));
+      points.push_back({dice.within(low[room], high[room]), dice.within(0L, 4L)});
+    }
+    const Point &a = points.end()[-3], &b = points.end()[-2], &c = points.end()[-1];
+    const Rational twice = abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    if (room == 0) expected += twice > 3 ? 1 : 0;
+    if (room == 2) expected += twice > 4 ? 1 : 0;
+  }
+  const Mesh mesh = listed_mesh(points, triangles);
+  CHECK(expected > 30);
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    Verdict verdict(Claim::kComplex, 0);
+    judge_quality(mesh, &rooms, 0, requiring({"area:regions"}, by), verdict);
+    CHECK(verdict.tallies().at(entry(Measure::kArea).rule).count == expected);
+  }
+}
+
+TEST_CASE("bounds of regions are refused where they bound nothing, or twice") {
+  const Mesh mesh = listed_mesh(kHouse, kRoofs);
+  const auto fault = [&](const Domain* domain, bool is_moved = false) {
+    return fault_of_quality(mesh, requiring({"area:regions"}).quality, domain, is_moved);
+  };
+  Domain rooms = three_rooms(1, 2);
+  CHECK(fault(&rooms).empty());
+  const Mesh corner = listed_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+  CHECK(fault_of_quality(corner, requiring({"area:regions"}).quality, &rooms, false)
+            .find("in dimension 3") != std::string::npos);
+  CHECK(fault(&rooms, true).find("found a distance") != std::string::npos);
+  CHECK(fault(nullptr).find("found no domain") != std::string::npos);
+  rooms.region_bounds.push_back({{8, 3}, 3});
+  CHECK(fault(&rooms).find("found 2 at (6, 1) and 3 at (8, 3)") != std::string::npos);
+  rooms.region_bounds = {{{3, 2}, 1}};
+  CHECK(fault(&rooms).find("which is on a segment") != std::string::npos);
+  rooms.region_bounds.clear();
+  CHECK(fault(&rooms).find("found none in it") != std::string::npos);
 }
 
 }  // namespace

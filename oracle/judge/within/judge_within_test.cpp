@@ -254,17 +254,21 @@ TEST_CASE("within: a vertex near a segment that is not on it is free, whatever t
 }
 
 TEST_CASE("within: cells that the distance does not tell apart are no matter of guessing") {
-  // A segment of 5 bits: its ends moved by 2 are more than a third of that apart.
-  PiecewiseLinearInput input = cuboid({0, 0}, {4, 4});
-  input.points.push_back({2 + bits(5), 0});
-  input.points.push_back({2, 0});
-  input.segments = {{0, 5}, {5, 4}, {4, 1}, {1, 2}, {2, 3}, {0, 3}};
-  const std::vector<Point> moved = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2 + bits(5), bits(2)}, {2, 0}};
-  const std::vector<Simplex> fan = {{3, 0, 5}, {3, 5, 4}, {3, 4, 2}, {4, 1, 2}};
-  CHECK(both_answers({{PointSet(moved), fan}, domain_of(input)}) == "not judged");
-  std::vector<Point> less = moved;
-  less[4] = {2 + bits(5), bits(1)};
-  CHECK(both_answers({{PointSet(less), fan}, domain_of(input)}) == "holds 1");
+  // A short segment, one of whose ends has moved.
+  const auto moved_by = [](long length, long distance) {
+    PiecewiseLinearInput input = cuboid({0, 0}, {4, 4});
+    input.points.push_back({2 + bits(length), 0});
+    input.points.push_back({2, 0});
+    input.segments = {{0, 5}, {5, 4}, {4, 1}, {1, 2}, {2, 3}, {0, 3}};
+    std::vector<Point> points = input.points;
+    points[4] = {2 + bits(length), bits(distance)};
+    const std::vector<Simplex> fan = {{3, 0, 5}, {3, 5, 4}, {3, 4, 2}, {4, 1, 2}};
+    return MovedMesh{{PointSet(points), fan}, domain_of(input)};
+  };
+  CHECK(both_answers(moved_by(5, 2)) == "not judged");
+  CHECK(both_answers(moved_by(6, 2)) == "not judged");  // three times as long, exactly
+  CHECK(both_answers(moved_by(7, 2)) == "holds 2");
+  CHECK(both_answers(moved_by(5, 1)) == "holds 1");
 }
 
 TEST_CASE("within: a vertex across a wall that is nearer than three distances") {
