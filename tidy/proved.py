@@ -18,6 +18,7 @@ from rules import RULES, of_meshes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/certificates.md"
+OCAML = ROOT / "proofs" / "ocaml"
 HEADER = "| rule | of points | of domains |"
 CLAIMS = "| claim | that it holds | that it does not | what is not proved |"
 OF_POINTS = {"triangulation", "delaunay", "weighted-delaunay"}
@@ -105,6 +106,36 @@ def faults_of_rules(theorems):
         yield f"{RULES}: {rule} is judged of {of}: the corpus has such a mesh"
 
 
+# Which theorem says that a rule is broken, and which one names the rules.
+NAMED_BY = {"verified_rule": "rules_of_points", "verified_domain_rule": "rules_of_domains", "verified_whole_domain_rule": "rules_of_whole_domains",
+            "verified_not_complex": "rules_of_complexes", "verified_not_hull": "rules_of_hulls", "verified_not_flat": "rules_of_flats",
+            "verified_not_periodic": "rules_of_periodic"}
+
+
+def faults_of_theorems(theorems):
+    """Each theorem about rules names those of which a refutation is accepted, one by one."""
+    source = text("proofs/MainTheorems.v")
+    for theorem, of_names in NAMED_BY.items():
+        statement = source.split(f"Theorem {of_names} ", 1)[1].split("Proof.", 1)[0]
+        named = {name for names in re.findall(r'"([a-z. -]+)"', statement) for name in names.split(" or ")}
+        accepted = {rule for (rule, _), names in theorems.items() if theorem in names and rule in TABLE}
+        for rule in sorted(named ^ accepted):
+            yield f"proofs/MainTheorems.v: {rule} is to be in {of_names} if and only if proofs/mutants/ has a refutation by {theorem}"
+
+
+def faults_of_trust(lines):
+    """What extraction replaces is among what is trusted, and so are as many lines of OCaml as there are."""
+    begin = lines.index("## What is trusted")
+    trusted = "\n".join(lines[begin:lines.index("## Check it yourself")])
+    replacing = {name.lower() for name in re.findall(r'"(?:\()?([A-Z][a-z]+)\.', text("proofs/Extraction.v"))} & {path.stem for path in OCAML.glob("*.ml")}
+    for name in sorted(replacing - {"big"}):  # which is Zarith's
+        if f"`{name}.ml`" not in trusted:
+            yield f"{PAGE}: {name}.ml replaces what is proved, and is not among what is trusted"
+    count = sum(len(path.read_text(encoding="utf-8").splitlines()) for path in OCAML.glob("*.ml") if path.stem not in {*replacing, "quick_test"})
+    if f"the {count // 100 * 100:,} lines" not in trusted:
+        yield f"{PAGE}: proofs/ocaml has {count} lines that are trusted, and the page says another number"
+
+
 def faults_of_claims(lines):
     claims = set(re.search(r"--claim ([a-z|-]+)", text("docs/command-line.md"))[1].split("|"))
     begin, end = table(lines, CLAIMS)
@@ -176,7 +207,8 @@ def main(arguments):
     if arguments == ["--update"]:
         lines[begin:end] = rows(theorems)
         (ROOT / PAGE).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    found = [*faults_of_rules(theorems), *faults_of_claims(lines), *faults_of_notions(), *faults_of_imports()]
+    found = [*faults_of_rules(theorems), *faults_of_claims(lines), *faults_of_notions(), *faults_of_imports(), *faults_of_theorems(theorems),
+             *faults_of_trust(lines)]
     if lines[begin:end] != rows(theorems) and not arguments:
         found.append(f"{PAGE}: the table of rules is another: run tidy/proved.py --update")
     print("\n".join(found) if found else "every rule and every claim is proved, or said not to be")
