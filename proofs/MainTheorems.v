@@ -220,6 +220,13 @@ Theorem verified_mesh_alone D c : check_alone D c = Accepted ->
   let T := simplices_of_certificate (dimension_of D) (bare_certificate c) in
   simplices_form_a_complex S T /\ simplicial_complex (faces_of T).
 Proof. apply MainProofs.mesh_alone_holds. Qed.
+(** The same where the certificate lets points be no vertices ([unused]), as [--allow-unused]
+    does. *)
+Theorem verified_some_unused D c : check_some_unused D c = Accepted ->
+  let S := points_of_certificate (dimension_of D) (bare_certificate c) in
+  let T := simplices_of_certificate (dimension_of D) (bare_certificate c) in
+  simplices_meet_in_faces S T /\ simplicial_complex (faces_of T).
+Proof. apply MainProofs.some_unused_hold. Qed.
 
 (** An accepted refutation: they do not, because they break the rule that is printed. *)
 Theorem verified_not_complex D x : refute_alone D x = true ->

@@ -161,7 +161,7 @@ let line (c : Reading.context) space name =
   { mesh; compare_domain = None; verdict }
 
 (* A mesh alone: its simplices may be of any dimension. *)
-let mesh_alone (c : Reading.context) space =
+let mesh_alone (c : Reading.context) space ~unused_allowed =
   let certificate, labels = Complex_file.read c in
   let width = Reading.of_natural certificate.complex_dimension + 1 in
   let cells = Array.of_list certificate.complex_cells in
@@ -173,11 +173,13 @@ let mesh_alone (c : Reading.context) space =
   let one, several = match width with
     | 1 -> ("point", "points") | 2 -> ("edge", "edges") | 3 -> ("triangle", "triangles")
     | _ -> ("tetrahedron", "tetrahedra") in
-  let verdict () = match check_alone space certificate with
+  let verdict () = match (if unused_allowed then check_some_unused else check_alone) space certificate with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
-      (Printf.sprintf "verified: %s, %s, %s" complex (counted (List.length labels) "point" "points")
-         (counted (Array.length cells) one several), 0) in
+      let unused = List.length (List.filter (fun (e : point_entry) -> e.home_vertex = None) certificate.complex_points) in
+      (Printf.sprintf "verified: %s, %s, %s%s" complex (counted (List.length labels) "point" "points")
+         (counted (Array.length cells) one several)
+         (if unused_allowed then Printf.sprintf ", %d unused" unused else ""), 0) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
 (* Triangles, in the plane or in space, and the angles at their edges. *)
@@ -385,7 +387,10 @@ let read source =
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
-    mesh_alone c space
+    mesh_alone c space ~unused_allowed:false
+  | [ "circumspect-certificate"; "1"; claim; dimension; "unused" ] when claim = complex ->
+    let c, (), space = context source [ (complex, ()) ] claim dimension in
+    mesh_alone c space ~unused_allowed:true
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = surface_delaunay ->
     let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
     surface c space
