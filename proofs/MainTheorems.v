@@ -19,9 +19,9 @@
       is verified is of the coordinates in the file, as they are;
     - of a mesh alone, that it is a manifold, connected, closed or oriented;
     - of points that do not span, which of several Delaunay triangulations it is;
-    - that a mesh is a CDT, or that the domain is a piecewise linear complex, where a triangle in
-      space dangles or, of the latter, where anything does; nor is a domain in which something
-      dangles said to have no triangulation;
+    - that a mesh is a CDT where a triangle in space dangles, unless all of the mesh in the
+      certificate is Delaunay; that the domain is a piecewise linear complex where anything does;
+      nor is a domain in which something dangles said to have no triangulation;
     - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is stated in [BookTheorems.v], and
       not proved; and of Proposition 4.11, that a CDT induces CDTs of the polygons, only what it
       says at their edges is stated there;

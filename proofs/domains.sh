@@ -36,7 +36,7 @@ while IFS=$'\t' read -r mesh domain claim verdict; do
   if [ "$verdict" = holds ]; then
     expected="verified: $claim, *; domain: *, plc, *"
     # The theorem about complexes does not speak of what dangles.
-    if [[ "$(head -n 1 "$scratch/certificate")" == *" dangling" ]]; then expected="verified: $claim, *; domain: *"; fi
+    if [[ "$(head -n 1 "$scratch/certificate")" == *" dangling"* ]]; then expected="verified: $claim, *; domain: *"; fi
     accepted=$((accepted + 1))
   else
     rule=${found#"verified: not ${claim%% *}, "}
@@ -134,4 +134,4 @@ done
 [ "$rejections" -ge 15 ]
 echo "domains: $accepted certificates and $refuted refutations verified, $compared of them about files that were compared; \
 of $without meshes there is none"
-[ "$accepted" -ge 138 ] && [ "$refuted" -ge 77 ] && [ "$compared" -ge 190 ]
+[ "$accepted" -ge 157 ] && [ "$refuted" -ge 77 ] && [ "$compared" -ge 190 ]

@@ -259,9 +259,9 @@ let faces_that_dangle (c : domain_certificate) simplices =
   let pieces = without pieces simplices in
   Faces.elements pieces @ Faces.elements (without (without steps simplices) (Faces.elements pieces))
 
-(* The mesh is that of the kept simplices, and of what dangles. *)
-let domain (c : Reading.context) space claimed kind ~is_complex ~dangles =
-  let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex in
+(* The mesh is that of the kept simplices, and of what dangles.  The whole mesh may be said to be Delaunay. *)
+let domain ?(is_delaunay = false) (c : Reading.context) space claimed kind ~is_complex ~dangles =
+  let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex ~is_delaunay in
   let whole = certificate.whole_mesh and part = certificate.domain_part in
   let rec kept_of found simplices marks = match simplices, marks with
     | (e : simplex_entry) :: simplices, (mark : mark) :: marks ->
@@ -383,7 +383,7 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
 let read source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull or flat]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling [delaunay]]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull or flat]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
@@ -422,6 +422,9 @@ let read source =
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "dangling" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain c space claimed (List.assoc kind kinds) ~is_complex:false ~dangles:true
+  | [ "circumspect-certificate"; "1"; claim; dimension; kind; "dangling"; "delaunay" ] when List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain c space claimed (List.assoc kind kinds) ~is_delaunay:true ~is_complex:false ~dangles:true
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain c space claimed (List.assoc kind kinds) ~is_complex:true ~dangles:false
