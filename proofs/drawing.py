@@ -140,15 +140,14 @@ def list_as_cycle(mesh):
     write_rows(mesh, [len(rows), 1], [[i, v] for i, v in enumerate(cycle)])
 
 
-def broken(mesh, dice):
-    """Changes one thing about the simplices of an .ele file."""
+def broken(mesh, dice, how):
+    """Changes one thing about the simplices of an .ele file: one is left out, twice there, or has another vertex or one of another."""
     header, rows = rows_of(mesh)
     if not rows:
         return
     row = dice.randrange(len(rows))
     corners = int(header[1])
     vertices = sorted({vertex for each in rows for vertex in each[1:1 + corners]})
-    how = dice.randrange(4)
     if how == 0:
         del rows[row]
     elif how == 1:

@@ -258,7 +258,7 @@ class Cells(Listed):
 
     def vary_cells(self, dice):
         t, i, axis = dice.randrange(len(self.corners)), dice.randrange(self.d + 1), dice.randrange(self.d)
-        how, step = dice.randrange(7), dice.choice((-1, 1))
+        how, step = dice.randrange(8), dice.choice((-1, 1))
         v, offset = self.corners[t][i]
         if how == 0:
             self.corners[t][i] = (dice.randrange(len(self.place)), offset)
@@ -268,6 +268,8 @@ class Cells(Listed):
             del self.corners[t]
         elif how == 3:  # the same cell, in another place
             self.corners.append([(w, tuple(x + step * (a == axis) for a, x in enumerate(o))) for w, o in self.corners[t]])
+        elif how == 7:  # two sheets
+            self.corners += [list(row) for row in self.corners]
         elif how == 4:
             self.basis[dice.randrange(self.d)][axis] += step * dice.choice((1, 1 << dice.randrange(12)))
         else:
@@ -319,6 +321,17 @@ class Cells(Listed):
         return self.written()
 
 
+def filled_gap(text):
+    """The refutation of a hull, with the facet that is missing where it looks; none, if it is another one."""
+    lines = text.splitlines()
+    if not lines[0].startswith("circumspect-refutation 2 convex-hull ") or not lines[0].endswith(" hull.uncovered"):
+        return None
+    d, at = int(lines[0].split()[3]), next(i for i, line in enumerate(lines) if line.startswith("simplices "))
+    facet = next(line for line in lines if line.startswith("because ")).split()[1:1 + d]
+    lines[at:at + 1] = [f"simplices {int(lines[at].split()[1]) + 1}", f"{d}  {' '.join(facet)}"]
+    return "\n".join(lines) + "\n"
+
+
 def files_of_cells(file, stem):
     """The mesh of a certificate that a lattice repeats, as files MESH.node and MESH.ele; none, if it cannot be read."""
     own = [stem.with_suffix(".node"), stem.with_suffix(".ele")]
@@ -331,6 +344,8 @@ def files_of_cells(file, stem):
 
 def rebuilt(text, dice):
     """The certificate with another mesh, if it has one."""
+    if text.startswith("circumspect-refutation"):
+        return filled_gap(text)
     other = {"complex": Alone, "surface-delaunay": Surface, "periodic-delaunay": Cells}.get(text.split(None, 3)[2])
     try:
         if other is not None:
@@ -345,8 +360,8 @@ def rebuilt(text, dice):
             mesh.corners[t][dice.randrange(mesh.d + 1)] = dice.randrange(len(mesh.place))
         elif how == 1 and len(mesh.corners) > 1 and mesh.marks is None:
             del mesh.corners[t]
-        elif how == 2 and mesh.marks is None:
-            mesh.corners.append(list(mesh.corners[t]))
+        elif how == 2 and mesh.marks is None:  # one simplex twice, or all of them
+            mesh.corners += [list(row) for row in (mesh.corners if dice.randrange(2) else [mesh.corners[t]])]
         elif how == 3:  # a flip of two neighbours, in the plane; in space two that are flipped to overlap
             mine = set(mesh.corners[t])
             others = [u for u, corners in enumerate(mesh.corners) if len(mine - set(corners)) == 1 == len(set(corners) - mine)]

@@ -14,9 +14,12 @@ import math
 import pathlib
 import random
 import re
+import resource
 import subprocess
 import sys
 import tempfile
+
+MOST_SECONDS = 60  # of a processor, for a certificate
 
 
 def surface(path):
@@ -99,10 +102,13 @@ def judged(programs, folder, points, faces, options):
     if not mesh.exists():
         return "not meshed by TetGen"
     claim = ["--domain", domain, "--claim", "steiner-triangulation"]
-    made = subprocess.run([circumspect, "certify", mesh, *claim, "-o", certificate, "--limit", "2m"], capture_output=True, text=True)
+    made = subprocess.run([circumspect, "certify", mesh, *claim, "-o", certificate], capture_output=True, text=True,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS + 1)))
     lacking = re.search("there is no certificate of this mesh: (.*)", made.stderr)
     if lacking:
         return f"no certificate: {lacking[1]}"
+    if made.returncode < 0:
+        return f"no certificate: {MOST_SECONDS} s of a processor did not suffice"
     if made.returncode != 0:
         rule = re.search("steiner-triangulation [^ ]* ([a-z.-]+)", made.stdout)
         return f"does not hold: {rule[1] if rule else (made.stdout + made.stderr).strip()[-120:]}"
