@@ -353,12 +353,13 @@ def main():
                 shutil.rmtree(KEPT, ignore_errors=True)
                 shutil.copytree(folder, KEPT)
                 print(f"{kind} {number} of seed {asked.seed}, kept in {KEPT}: {wrong}", file=sys.stderr)
-                return 1
+                counts["wrong"] += 1
+                break
             shutil.rmtree(folder)
     print(f"inputs: {counts.pop('inputs')} of {len(work)}")
     for what, count in sorted(counts.items()):
         print(f"{what}: {count}")
-    return 0
+    return 1 if counts["wrong"] else 0
 
 
 if __name__ == "__main__":

@@ -219,8 +219,7 @@ std::string add_polygons(const MeshedDomain& in, const ListedSegments& listed,
   return "";
 }
 
-// A triangle in space that dangles in a CDT is shown to be constrained Delaunay by a whole mesh that
-// is Delaunay.
+// In a CDT such a triangle is shown to be constrained Delaunay by a whole mesh that is Delaunay.
 bool has_dangling_triangle(const ExactMesh& mesh) {
   const std::vector<Simplex> faces = dangling_faces(mesh);
   return mesh.points.ambient_dimension() == 3 &&
