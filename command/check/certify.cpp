@@ -125,7 +125,7 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   output.notes(loaded->notes);
-  output.end_watch();
+  output.begin("certifying " + options.mesh);
   const bool written =
       about == nullptr
           ? write_certificate(options.certificate, options.mesh, loaded->mesh, *verdict, output)
