@@ -11,6 +11,7 @@ Definition everything : unit :=
   @verified_not_whole_domain & @verified_whole_domain_rule & @rules_of_points &
   @rules_of_domains & @rules_of_whole_domains & @verified_impossible & @verified_unique &
   @verified_canonical & @verified_generic & @verified_any_order & @verified_mesh_alone &
+  @verified_some_unused &
   @verified_not_complex & @rules_of_complexes & @verified_hull & @verified_not_hull &
   @rules_of_hulls & @verified_flat & @verified_line & @verified_not_flat & @rules_of_flats &
   @verified_surface & @verified_not_surface & @verified_periodic & @verified_not_periodic &

@@ -12,16 +12,20 @@ Context {d : nat}.
 
 (** The simplices of [T] list k + 1 points of [S] each, none is listed twice, no vertex is repeated
     and none is flat (its vertices are affinely independent); any two simplices s and t, as sets of
-    vertices, meet in conv(s ∩ t) and nowhere else; no point is listed twice, and each is a vertex.
-    There is a simplex, or the claim would hold for nothing. *)
-Record simplices_form_a_complex (S : list (point d)) (T : list (simplex d)) : Prop := {
+    vertices, meet in conv(s ∩ t) and nowhere else; no point is listed twice.  There is a simplex,
+    or the claim would hold for nothing. *)
+Record simplices_meet_in_faces (S : list (point d)) (T : list (simplex d)) : Prop := {
   some_simplex : T <> [];
   of_one_dimension : exists k, forall t, In t T -> length t = Datatypes.S k;
   independent_vertices : forall t, In t T -> incl t S /\ affinely_independent t;
   none_twice : ForallOrdPairs (fun s t => ~ same s t) T;
   meeting_in_faces : ForallOrdPairs (fun s t => forall q, conv s q -> conv t q ->
     exists f, incl f s /\ incl f t /\ conv f q) T;
-  points_once : NoDup S;
+  points_once : NoDup S
+}.
+(** And each point is a vertex.  (With [--allow-unused] this is not asked.) *)
+Record simplices_form_a_complex (S : list (point d)) (T : list (simplex d)) : Prop := {
+  among_points :> simplices_meet_in_faces S T;
   points_used : forall p, In p S -> exists t, In t T /\ In p t
 }.
 End Complex.

@@ -70,7 +70,7 @@ Extract Inlined Constant Z.ltb => "Big.lt".
 Extract Inlined Constant Z.eqb => "Big.equal".
 
 Extraction "extracted.ml" judge refute rule_of rule_name claim_name
-  check_domain check_dangling check_complex check_alone refute_alone complex_rule_of rule_of_complex_name
+  check_domain check_dangling check_complex check_alone check_some_unused refute_alone complex_rule_of rule_of_complex_name
     domain_claim_name refute_domain domain_rule_of domain_rule_name
   refute_whole whole_rule_of check_impossible wrap judge_hull judge_flat check_surface
   check_line refute_flat refute_hull refute_surface check_periodic refute_periodic

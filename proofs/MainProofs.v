@@ -127,6 +127,14 @@ Proof.
   intros A. cbv zeta. pose proof (MeshAloneSound.check_alone_sound D c A) as H.
   split; [exact H|exact (Separated.a_complex_indeed _ _ H)].
 Qed.
+Theorem some_unused_hold D c : check_some_unused D c = Accepted ->
+  let S := points_of_certificate (dimension_of D) (bare_certificate c) in
+  let T := simplices_of_certificate (dimension_of D) (bare_certificate c) in
+  simplices_meet_in_faces S T /\ simplicial_complex (faces_of T).
+Proof.
+  intros A. cbv zeta. pose proof (MeshAloneSound.check_some_unused_sound D c A) as H.
+  split; [exact H|exact (Separated.a_complex_indeed _ _ H)].
+Qed.
 Theorem rules_of_complexes D x : refute_alone D x = true ->
   In (rule_of_complex_name (complex_rule_of x))
   ["triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";

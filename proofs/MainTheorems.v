@@ -19,9 +19,9 @@
       is verified is of the coordinates in the file, as they are;
     - of a mesh alone, that it is a manifold, connected, closed or oriented;
     - of points that do not span, which of several Delaunay triangulations it is;
-    - that a mesh is a CDT, or that the domain is a piecewise linear complex, where a triangle in
-      space dangles or, of the latter, where anything does; nor is a domain in which something
-      dangles said to have no triangulation;
+    - that a mesh is a CDT where a triangle in space dangles, unless all of the mesh in the
+      certificate is Delaunay; that the domain is a piecewise linear complex where anything does;
+      nor is a domain in which something dangles said to have no triangulation;
     - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is stated in [BookTheorems.v], and
       not proved; and of Proposition 4.11, that a CDT induces CDTs of the polygons, only what it
       says at their edges is stated there;
@@ -220,6 +220,13 @@ Theorem verified_mesh_alone D c : check_alone D c = Accepted ->
   let T := simplices_of_certificate (dimension_of D) (bare_certificate c) in
   simplices_form_a_complex S T /\ simplicial_complex (faces_of T).
 Proof. apply MainProofs.mesh_alone_holds. Qed.
+(** The same where the certificate lets points be no vertices ([unused]), as [--allow-unused]
+    does. *)
+Theorem verified_some_unused D c : check_some_unused D c = Accepted ->
+  let S := points_of_certificate (dimension_of D) (bare_certificate c) in
+  let T := simplices_of_certificate (dimension_of D) (bare_certificate c) in
+  simplices_meet_in_faces S T /\ simplicial_complex (faces_of T).
+Proof. apply MainProofs.some_unused_hold. Qed.
 
 (** An accepted refutation: they do not, because they break the rule that is printed. *)
 Theorem verified_not_complex D x : refute_alone D x = true ->

@@ -2,7 +2,7 @@
 """Holds circumspect-verified to the oracle, on drawn domains and point sets, and on forged files about them.
 
     proofs/forgeries.py CIRCUMSPECT CIRCUMSPECT_VERIFIED [--domains N] [--impossible N] [--points N] [--alone N]
-        [--hulls N] [--flats N] [--forgeries N] [--seed S]
+        [--hulls N] [--flats N] [--surfaces N] [--periodic N] [--forgeries N] [--seed S]
 
 Each domain and each point set is drawn by `circumspect generate` and meshed by `circumspect build`; half of the meshes are
 then broken, and three quarters of those that are judged alone, as complexes. What `circumspect certify` writes of such a mesh
@@ -19,7 +19,6 @@ It prints what it counted. Exit code 1: a file of ours is not verified, or a for
 import argparse
 import collections
 import functools
-import itertools
 import json
 import os
 import pathlib
@@ -30,21 +29,16 @@ import subprocess
 import sys
 import tempfile
 import time
-from fractions import Fraction
 
+import drawing
 import rebuilding
 
 CLAIMS_ABOUT_DOMAINS = ("plc-triangulation", "steiner-triangulation", "conforming-delaunay", "cdt", "steiner-cdt")
 CLAIMS = {"points": ("triangulation", "delaunay"), "alone": ("complex",), "domain": CLAIMS_ABOUT_DOMAINS,
-          "hulls": ("convex-hull",), "flats": ("triangulation", "delaunay")}
-FAMILIES = {
-    "domain": ("planar-segments", "planar-grid", "furnished-boxes", "delaunay-polyhedra", "protected-solids", "glued-tetrahedra",
-               "coplanar-cells", "protected-polygons", "planar-segments+rotated", "delaunay-polyhedra+ulp", "planar-grid+moved"),
-    "impossible": ("twisted-prisms", "glued-tetrahedra", "named-complexes", "twisted-prisms+rotated"),
-    "alone": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid"),
-    "hulls": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid"),
-    "flats": ("integers", "grid"),
-    "points": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid", "small-weights", "submerged")}
+          "hulls": ("convex-hull",), "flats": ("triangulation", "delaunay"), "surfaces": ("surface-delaunay",),
+          "periodic": ("periodic-delaunay",)}
+# How many faults a mesh gets; of others none or one.
+FAULTS = {"alone": (0, 1, 2, 3), "hulls": (0, 1), "surfaces": (0, 1, 2)}
 KEPT = pathlib.Path("forgeries-failed")
 
 
@@ -73,116 +67,19 @@ class Programs:
         """The verdict by the definitions: its JSON."""
         key = (claim, *map(str, arguments))
         if key not in self.truths:
-            ended = self.run("check", *arguments, "--claim", claim, "--by", "definition", "--format", "json", "--max-errors", 0)
+            asked = ("check", *arguments, "--claim", claim, "--format", "json", "--max-errors", 0)
+            ended = self.run(*asked, "--by", "definition", "--limit", "10s")
+            if ended.returncode == 4:  # a lattice with a long vector takes the definitions long
+                ended = self.run(*asked)
             if ended.returncode == 3 and "expected distinct points" in ended.stderr:  # nothing holds of these
                 self.truths[key] = {"verdict": "input", "rules": []}
+            elif ended.returncode == 3 and "the lattice moves none to another" in ended.stderr:  # docs/theory/definitions.md
+                self.truths[key] = {"verdict": "not asked", "rules": []}
             elif ended.returncode not in (0, 1):
                 raise Wrong(f"check {key}: {ended.stderr}")
             else:
                 self.truths[key] = json.loads(ended.stdout)["results"][0]
         return self.truths[key]
-
-
-def drawn(programs, kind, folder, number, dice):
-    """A point set or a domain, if the family has one of this seed."""
-    family = dice.choice(FAMILIES[kind])
-    of_points = kind not in ("domain", "impossible")
-    path = folder / ("mesh.node" if of_points else "domain.poly")
-    dimension = ["--dimension", 2 if kind == "flats" else dice.choice((2, 3))] if of_points else []
-    ended = programs.run("generate", family, "--points", dice.randint(6, 10), "--seed", number, *dimension, "-o", path, "--quiet")
-    return path if ended.returncode == 0 else None
-
-
-def rows_of(path):
-    """The header and the rows of a file, as words."""
-    header, *rows = [line.split() for line in path.read_text().splitlines() if line and not line.startswith("#")]
-    return header, rows
-
-
-def write_rows(path, header, rows):
-    path.write_text("\n".join(" ".join(map(str, row)) for row in [header, *rows]) + "\n")
-
-
-def tilted(points, dice):
-    """Moves points of the plane into a plane of space, along one of the axes; or some onto a line."""
-    header, rows = rows_of(points)
-    if dice.randrange(3) == 0:
-        direction = [dice.randrange(-2, 3), dice.randrange(1, 3), dice.randrange(-2, 3)]
-        for row, along in zip(rows, dice.sample(range(40), len(rows))):
-            row[1:3] = [along * x for x in direction]
-    else:
-        a, b, axis = dice.randrange(-2, 3), dice.randrange(-2, 3), dice.randrange(3)
-        for row in rows:
-            unseen = a * Fraction(row[1]) + b * Fraction(row[2])
-            row[1:3] = [*row[1:1 + axis], unseen, *row[1 + axis:3]]
-    write_rows(points, [header[0], 3, 0, 0], [row[:4] for row in rows])
-
-
-def let_dangle(domain, dice):
-    """Adds to a domain, beyond all of it, a segment or in space a triangle at one of its vertices, or a vertex alone."""
-    lines = [line.split() for line in domain.read_text().splitlines() if line and not line.startswith("#")]
-    count, dimension = int(lines[0][0]), int(lines[0][1])
-    if count == 0:
-        return
-    first = int(lines[1][0])
-    points = [[Fraction(x) for x in row[1:1 + dimension]] for row in lines[1:1 + count]]
-    at = max(range(count), key=lambda v: points[v])
-    steps = [[dice.randint(1, 4), *(dice.randint(-2, 2) for _ in range(dimension - 1))] for _ in range(2)]
-    ends = [[x + y for x, y in zip(points[at], step)] for step in steps]
-    how = dice.choice(("vertex", "segment", "segment", "triangle"))
-    if how != "triangle" or dimension == 2 or ends[0] == ends[1]:
-        del ends[1:]
-    rest = lines[1 + count:]
-    added = [at + first, *range(first + count, first + count + len(ends))]
-    face = [] if how == "vertex" else [["1", "0"], [len(added), *added]] if dimension == 3 else [[int(rest[0][0]) + first, *added]]
-    place = 1 + facet_rows(rest, dimension)
-    rest[0][0] = str(int(rest[0][0]) + (how != "vertex"))
-    header = [str(count + len(ends)), *lines[0][1:]]
-    filler = lines[1][1 + dimension:]
-    new = [[first + count + i, *end, *filler] for i, end in enumerate(ends)]
-    rows = [header, *lines[1:1 + count], *new, *rest[:place], *face, *rest[place:]]
-    domain.write_text("\n".join(" ".join(map(str, row)) for row in rows) + "\n")
-
-
-def facet_rows(rest, dimension):
-    """How many rows of a .poly file the segments are or, in space, the facets."""
-    if dimension == 2:
-        return int(rest[0][0])
-    row = 1
-    for _ in range(int(rest[0][0])):
-        lines, holes = int(rest[row][0]), int(rest[row][1]) if len(rest[row]) > 1 else 0
-        row += 1 + lines + holes
-    return row - 1
-
-
-def leave_facets(mesh):
-    """Of a triangulation leaves the facets that are in one simplex."""
-    _, rows = rows_of(mesh)
-    facets = collections.Counter(facet for row in rows for facet in itertools.combinations(sorted(row[1:], key=int), len(row) - 2))
-    hull = [facet for facet, count in facets.items() if count == 1]
-    write_rows(mesh, [len(hull), len(hull[0]) if hull else 2], [[i, *facet] for i, facet in enumerate(hull)])
-
-
-def broken(mesh, dice):
-    """Changes one thing about the simplices of an .ele file."""
-    header, rows = rows_of(mesh)
-    if not rows:
-        return
-    row = dice.randrange(len(rows))
-    vertices = sorted({vertex for each in rows for vertex in each[1:]})
-    how = dice.randrange(4)
-    if how == 0:
-        del rows[row]
-    elif how == 1:
-        rows.append(rows[row])
-    elif how == 2:
-        rows[row][dice.randrange(1, len(rows[row]))] = dice.choice(vertices)
-    else:
-        other = dice.randrange(len(rows))
-        i, j = dice.randrange(1, len(rows[row])), dice.randrange(1, len(rows[other]))
-        rows[row][i], rows[other][j] = rows[other][j], rows[row][i]
-    first = int(rows[0][0]) if rows else 0
-    write_rows(mesh, [len(rows), *header[1:]], [[first + i, *each[1:]] for i, each in enumerate(rows)])
 
 
 class Subject:
@@ -199,7 +96,8 @@ class Subject:
         truth = self.judge(line, self.own)
         rules = re.match("verified: not [a-z-]+, ([a-z.-]+(?: or [a-z.-]+)*)", line)
         broken_rules = {each["rule"] for each in truth["rules"]} if truth else set()
-        if truth and rules and broken_rules.isdisjoint(rules[1].split(" or ")):
+        names_same = not line.startswith("verified: not periodic-delaunay")  # docs/certificates.md: its rules are others
+        if truth and rules and names_same and broken_rules.isdisjoint(rules[1].split(" or ")):
             raise Wrong(f"{line} -- by the definitions other rules are broken: {broken_rules}")
 
 
@@ -213,7 +111,12 @@ def judged_mesh(programs, mesh, domain, kind):
         if domain is not None:  # a refutation that looks at vertices and segments alone names no kind
             filled = re.search("domain: (enclosed|hull)", line)
             about += ["--domain", domain, "--domain-kind", filled[1] if filled else kind]
+        lattice = re.search("; lattice: ([^:]+)(:|$)", line)  # which is in no file of the user's
+        if lattice:
+            about += ["--lattice", lattice[1]]
         truth = programs.truth(stated[2], *about)
+        if truth["verdict"] == "not asked":
+            return truth
         if (truth["verdict"] == "holds") != (stated[1] is None):
             raise Wrong(f"{line} -- by the definitions it {truth['verdict']}: {truth['rules']}")
         if domain is None and stated[1] is None:
@@ -224,40 +127,62 @@ def judged_mesh(programs, mesh, domain, kind):
     return judge
 
 
-def certified(programs, kind, folder, number, dice, counts):
-    """What certify writes of a drawn mesh, whole or broken, if there is one."""
-    path = drawn(programs, kind, folder, number, dice)
+class Case:
+    """A mesh, what is claimed of it and, for a claim about one, its domain."""
+
+    def __init__(self, mesh, claim, domain=None, kind=None, options=()):
+        self.mesh, self.claim, self.domain, self.kind = mesh, claim, domain, kind
+        self.options = [*options, *(["--domain", domain, "--domain-kind", kind] if domain else [])]
+
+    def own(self):
+        return [self.mesh.with_suffix(".node"), self.mesh, *([self.domain] if self.domain else [])]
+
+
+def meshed(programs, kind, folder, number, dice, counts):
+    """What is drawn, and a mesh of it, if there is one."""
+    if kind == "periodic":
+        mesh, lattice = drawing.repeated(folder, dice)
+        return Case(mesh, "periodic-delaunay", options=["--lattice", lattice])
+    path = drawing.drawn(programs, kind, folder, number, dice)
     if path is None:
         counts[f"{kind}: not drawn"] += 1
         return None
     mesh = folder / "mesh.ele"
-    about, own_domain, which = [], [], None
-    if kind == "flats":
-        tilted(path, dice)
-    if kind != "domain":
-        weighted = path.read_text().split(None, 3)[2] == "1"
-        claim = "weighted-delaunay" if weighted else dice.choice(CLAIMS[kind])
-        ended = programs.run("build", "weighted-delaunay" if weighted else "delaunay", path, "-o", mesh, "--quiet")
-    else:
+    if kind == "domain":
         which = dice.choice(("enclosed", "enclosed", "hull"))
         if dice.randrange(4) == 0:
-            let_dangle(path, dice)
-        about = ["--domain", path, "--domain-kind", which]
-        own_domain = [path]
-        claim = dice.choice(CLAIMS[kind])
+            drawing.let_dangle(path, dice)
+        case = Case(mesh, dice.choice(CLAIMS[kind]), path, which)
         is_planar = path.read_text().split(None, 2)[1] == "2"
         construction = "planar-cdt" if is_planar else dice.choice(("cdt", "steiner-cdt", "conforming-delaunay"))
         ended = programs.run("build", construction, path, "--domain-kind", which, "-o", mesh, "--quiet", "--limit", "5s")
+    else:
+        if kind == "flats":
+            drawing.tilted(path, dice)
+        weighted = path.read_text().split(None, 3)[2] == "1"
+        case = Case(mesh, "weighted-delaunay" if weighted else dice.choice(CLAIMS[kind]))
+        ended = programs.run("build", "weighted-delaunay" if weighted else "delaunay", path, "-o", mesh, "--quiet")
     if ended.returncode != 0:
         counts[f"{kind}: not meshed"] += 1
         return None
-    if kind == "hulls":
-        leave_facets(mesh)
-    faults = {"alone": (0, 1, 2, 3), "hulls": (0, 0, 0, 1)}  # that facets are none of a hull is not refuted
-    for _ in range(dice.choice(faults.get(kind, (0, 1)))):
-        broken(mesh, dice)
+    if kind in ("hulls", "surfaces"):
+        is_planar = drawing.leave_facets(mesh) == 2
+        if is_planar and dice.randrange(2):
+            drawing.list_as_cycle(mesh)
+    return case
+
+
+def certified(programs, kind, folder, number, dice, counts):
+    """What certify writes of a drawn mesh, whole or broken, if there is one."""
+    case = meshed(programs, kind, folder, number, dice, counts)
+    if case is None:
+        return None
+    for _ in range(dice.choice(FAULTS.get(kind, (0, 1)))):
+        # Of a hull it is refuted that a facet is missing, and hardly anything else.
+        drawing.broken(case.mesh, dice, 0 if kind == "hulls" and dice.randrange(4) else dice.randrange(4))
     file = folder / "file"
-    ended = programs.run("certify", mesh, *about, "--claim", claim, "--by", "definition", "--quiet", "-o", file, "--limit", "20s")
+    ended = programs.run("certify", case.mesh, *case.options, "--claim", case.claim, "--by", "definition", "--quiet", "-o", file,
+                         "--limit", "20s")
     lacking = re.search("there is no (certificate|refutation) of this mesh: (.*)", ended.stderr)
     if ended.returncode == 2 and lacking:
         counts[f"{kind}: no {lacking[1]}: {re.sub('[0-9]+', 'N', lacking[2])}"] += 1
@@ -266,15 +191,14 @@ def certified(programs, kind, folder, number, dice, counts):
         counts[f"{kind}: refused"] += 1
         return None
     if ended.returncode not in (0, 1):
-        raise Wrong(f"certify {mesh} {about}: {ended.stderr}")
+        raise Wrong(f"certify {case.mesh} {case.options}: {ended.stderr}")
     counts[f"{kind}: {'certificates' if ended.returncode == 0 else 'refutations'}"] += 1
-    return Subject(programs, file, [mesh.with_suffix(".node"), mesh, *own_domain], judged_mesh(programs, mesh, path if about else None, which),
-                   which)
+    return Subject(programs, file, case.own(), judged_mesh(programs, case.mesh, case.domain, case.kind), case.kind)
 
 
 def impossible(programs, folder, number, dice, counts):
     """The proof that a drawn domain has no triangulation or no CDT, if it has none."""
-    path = drawn(programs, "impossible", folder, number, dice)
+    path = drawing.drawn(programs, "impossible", folder, number, dice)
     if path is None:
         counts["impossible: not drawn"] += 1
         return None
@@ -368,11 +292,13 @@ def hold_forgeries(subject, count, others, folder, dice, counts):
     of_mesh = not text.startswith("circumspect-impossibility")
     domain = subject.own[2:]
     for _ in range(count):
-        forgery = rebuilding.rebuilt(text, dice) if text.startswith("circumspect-certificate") and dice.random() < 0.5 else None
+        forgery = rebuilding.rebuilt(text, dice) if of_mesh and dice.random() < 0.5 else None
         is_rebuilt = forgery is not None
         file.write_text(forgery if is_rebuilt else forged(text, others, dice))
         # Of a mesh that is another the user's own would tell.
         own = domain if of_mesh and (is_rebuilt or dice.random() < 0.3) else subject.own
+        if own is not subject.own and text.split(None, 3)[2] == "periodic-delaunay":  # of offsets no mesh.json tells
+            own = rebuilding.files_of_cells(file, folder / "forged") or subject.own
         line, code = subject.programs.answer(file, *own)
         word = line.split(":", 1)[0] if code != 0 else "verified, and so"
         counts[f"{'rebuilt' if is_rebuilt else 'forgeries'}: {word}"] += 1
@@ -380,6 +306,9 @@ def hold_forgeries(subject, count, others, folder, dice, counts):
             continue
         if own == subject.own:
             subject.judge(line, own)
+            continue
+        if own != domain:
+            judged_mesh(subject.programs, own[1], None, None)(line, own)
             continue
         mesh.write_text(subprocess.run([subject.programs.verified, "--mesh", file], capture_output=True, text=True, check=True).stdout)
         subject.programs.truths.clear()
@@ -390,7 +319,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("circumspect")
     parser.add_argument("verified")
-    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("alone", 20), ("hulls", 20), ("flats", 10), ("forgeries", 8), ("seed", 1)):
+    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("alone", 20), ("hulls", 20), ("flats", 10), ("surfaces", 10),
+                          ("periodic", 10), ("forgeries", 8), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=default)
     asked = parser.parse_args()
     programs = Programs(str(pathlib.Path(asked.circumspect).resolve()), str(pathlib.Path(asked.verified).resolve()))
@@ -402,7 +332,7 @@ def main():
     makers = {kind: functools.partial(certified, programs, kind) for kind in CLAIMS}
     makers["impossible"] = functools.partial(impossible, programs)
     numbers = {"domain": asked.domains, "impossible": asked.impossible, "points": asked.points, "alone": asked.alone, "hulls": asked.hulls,
-               "flats": asked.flats}
+               "flats": asked.flats, "surfaces": asked.surfaces, "periodic": asked.periodic}
     work = [kind for kind, number in numbers.items() for _ in range(number)]
     dice.shuffle(work)
     with tempfile.TemporaryDirectory() as scratch:
@@ -423,12 +353,13 @@ def main():
                 shutil.rmtree(KEPT, ignore_errors=True)
                 shutil.copytree(folder, KEPT)
                 print(f"{kind} {number} of seed {asked.seed}, kept in {KEPT}: {wrong}", file=sys.stderr)
-                return 1
+                counts["wrong"] += 1
+                break
             shutil.rmtree(folder)
     print(f"inputs: {counts.pop('inputs')} of {len(work)}")
     for what, count in sorted(counts.items()):
         print(f"{what}: {count}")
-    return 0
+    return 1 if counts["wrong"] else 0
 
 
 if __name__ == "__main__":

@@ -3,8 +3,10 @@
 
     proved.py             what is not as it should be, one line each; exit 1 if there is something
 
-Every notion in proofs/Definitions.v, Domains.v, Complexes.v, Hulls.v, Flats.v, Surfaces.v and Periodic.v stands in docs/theory/definitions.md.
     proved.py --update    write the table of rules anew
+
+Every notion of the files of definitions in proofs/, which MainTheorems.v is stated in, is in docs/theory/definitions.md, and rules are in
+the words of the program there.
 
 A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
 """
@@ -16,6 +18,7 @@ from rules import RULES, of_meshes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/certificates.md"
+OCAML = ROOT / "proofs" / "ocaml"
 HEADER = "| rule | of points | of domains |"
 CLAIMS = "| claim | that it holds | that it does not | what is not proved |"
 OF_POINTS = {"triangulation", "delaunay", "weighted-delaunay"}
@@ -103,6 +106,36 @@ def faults_of_rules(theorems):
         yield f"{RULES}: {rule} is judged of {of}: the corpus has such a mesh"
 
 
+# Which theorem says that a rule is broken, and which one names the rules.
+NAMED_BY = {"verified_rule": "rules_of_points", "verified_domain_rule": "rules_of_domains", "verified_whole_domain_rule": "rules_of_whole_domains",
+            "verified_not_complex": "rules_of_complexes", "verified_not_hull": "rules_of_hulls", "verified_not_flat": "rules_of_flats",
+            "verified_not_periodic": "rules_of_periodic"}
+
+
+def faults_of_theorems(theorems):
+    """Each theorem about rules names those of which a refutation is accepted, one by one."""
+    source = text("proofs/MainTheorems.v")
+    for theorem, of_names in NAMED_BY.items():
+        statement = source.split(f"Theorem {of_names} ", 1)[1].split("Proof.", 1)[0]
+        named = {name for names in re.findall(r'"([a-z. -]+)"', statement) for name in names.split(" or ")}
+        accepted = {rule for (rule, _), names in theorems.items() if theorem in names and rule in TABLE}
+        for rule in sorted(named ^ accepted):
+            yield f"proofs/MainTheorems.v: {rule} is to be in {of_names} if and only if proofs/mutants/ has a refutation by {theorem}"
+
+
+def faults_of_trust(lines):
+    """What extraction replaces is among what is trusted, and so are as many lines of OCaml as there are."""
+    begin = lines.index("## What is trusted")
+    trusted = "\n".join(lines[begin:lines.index("## Check it yourself")])
+    replacing = {name.lower() for name in re.findall(r'"(?:\()?([A-Z][a-z]+)\.', text("proofs/Extraction.v"))} & {path.stem for path in OCAML.glob("*.ml")}
+    for name in sorted(replacing - {"big"}):  # which is Zarith's
+        if f"`{name}.ml`" not in trusted:
+            yield f"{PAGE}: {name}.ml replaces what is proved, and is not among what is trusted"
+    count = sum(len(path.read_text(encoding="utf-8").splitlines()) for path in OCAML.glob("*.ml") if path.stem not in {*replacing, "quick_test"})
+    if f"the {count // 100 * 100:,} lines" not in trusted:
+        yield f"{PAGE}: proofs/ocaml has {count} lines that are trusted, and the page says another number"
+
+
 def faults_of_claims(lines):
     claims = set(re.search(r"--claim ([a-z|-]+)", text("docs/command-line.md"))[1].split("|"))
     begin, end = table(lines, CLAIMS)
@@ -117,17 +150,41 @@ def faults_of_claims(lines):
         yield f"{PAGE}: no table has the theorem {name}"
 
 
+DEFINITIONS = ("Definitions", "Domains", "DomainRules", "Complexes", "Hulls", "Flats", "Surfaces", "Periodic")
+# What an honest certificate is; of its notions only those that the main theorems name.
+OF_COMPLETENESS = "completeness/Honest"
+
+
+def without_comments(source):
+    return re.sub(r"\(\*.*?\*\)", "", source, flags=re.DOTALL)
+
+
 def notions():
-    """What the definitions of the book are called, up to the rules."""
-    for path, begin, end in (("proofs/Definitions.v", "Section Book.", "(** ** Rules that a mesh may break"),
-                             ("proofs/Domains.v", "Section Book.", "End Book."),
-                             ("proofs/Complexes.v", "Section Complex.", "End Complex."),
-                             ("proofs/Hulls.v", "Section Hull.", "End Hull."),
-                             ("proofs/Flats.v", "Section Flat.", "End Flat."),
-                             ("proofs/Surfaces.v", "Section Surface.", "End Surface."),
-                             ("proofs/Periodic.v", "Section Periodic.", "(** ** Rules that the cells may break")):
-        book = text(path).split(begin, 1)[1].split(end, 1)[0]
-        yield from re.findall(r"^(?:Definition|Inductive|Record|Fixpoint) (\w+)", book, re.MULTILINE)
+    """All that is defined in the files of definitions, but for the records of what stands in a file, which are in no section."""
+    named = set(re.findall(r"\w+", without_comments(text("proofs/MainTheorems.v"))))
+    for name in (*DEFINITIONS, OF_COMPLETENESS):
+        depth = 0
+        for line in without_comments(text(f"proofs/{name}.v")).splitlines():
+            depth += line.startswith("Section ") - line.startswith("End ")
+            found = re.match(r"(Definition|Fixpoint|Inductive|Record) (\w+)", line)
+            if found and (found[1] in ("Definition", "Fixpoint") or depth > 0) and (name != OF_COMPLETENESS or found[2] in named):
+                yield found[2]
+
+
+def faults_of_imports():
+    """The main theorems are stated in notions of the page and in functions that are extracted."""
+    def imported(path):
+        source = without_comments(text(path))
+        return {name for names in re.findall(r"From Circumspect Require (?:Import |Export )?([\w\s]+)\.", source) for name in names.split()}
+    files = {path.stem: path.relative_to(ROOT) for path in (ROOT / "proofs").glob("**/*.v")}
+    program, further = set(), imported("proofs/Extraction.v")
+    while further:
+        program |= further
+        further = {name for one in further for name in imported(files[one])} - program
+    source = without_comments(text("proofs/MainTheorems.v"))
+    stated = {name for names in re.findall(r"From Circumspect Require Import ([\w\s]+)\.", source) for name in names.split()}
+    for name in sorted(stated - program - {path.split("/")[-1] for path in (*DEFINITIONS, OF_COMPLETENESS)}):
+        yield f"proofs/MainTheorems.v: {name} is neither of the program nor a file whose notions stand in docs/theory/definitions.md"
 
 
 def faults_of_notions():
@@ -138,6 +195,9 @@ def faults_of_notions():
         yield f"{page}: the notion {name} is left out"
     for name in sorted(set(listed) - set(notions())):
         yield f"{page}: {name} is not a notion of the definitions in proofs/"
+    for name, meaning in re.findall(r"^\| `[^|]*\| `([a-z]+\.[a-z-]+)`: ([^|]*) \|", text(page), re.MULTILINE):
+        if name not in TABLE or TABLE[name].meaning != meaning:
+            yield f"{page}: the words of {name} are not those of {RULES}"
 
 
 def main(arguments):
@@ -147,7 +207,8 @@ def main(arguments):
     if arguments == ["--update"]:
         lines[begin:end] = rows(theorems)
         (ROOT / PAGE).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    found = [*faults_of_rules(theorems), *faults_of_claims(lines), *faults_of_notions()]
+    found = [*faults_of_rules(theorems), *faults_of_claims(lines), *faults_of_notions(), *faults_of_imports(), *faults_of_theorems(theorems),
+             *faults_of_trust(lines)]
     if lines[begin:end] != rows(theorems) and not arguments:
         found.append(f"{PAGE}: the table of rules is another: run tidy/proved.py --update")
     print("\n".join(found) if found else "every rule and every claim is proved, or said not to be")

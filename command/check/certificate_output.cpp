@@ -219,6 +219,7 @@ std::optional<certificate::Decision> decide(int variables,
 // True, or says why not.
 template <typename Write>
 bool is_written(const std::string& path, const Write& write, Output& output) {
+  output.end_watch();  // what is found is written, whatever its time
   const std::string fault = write_file(path, write);
   if (fault.empty()) return true;
   output.error(ExitCode::kUsage, "certificate", path, fault);

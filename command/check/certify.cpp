@@ -9,6 +9,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/check_voronoi.hpp"
+#include "command/check/complex_options.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/check/periodic_mesh.hpp"
 #include "command/input/domain_input.hpp"
@@ -43,6 +44,7 @@ struct CertifyOptions {
   InputOptions input;
   OutputOptions output;
   check::By by = check::By::kLemma;
+  bool allow_unused = false;
   std::uint64_t threads = 0;          // 0: as many as the machine has
   std::vector<std::string> required;  // refused
 };
@@ -108,7 +110,8 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   const Claim claim = options.asked.value_or(check::default_claim(loaded->mesh, about));
-  const check::Options judging = {.by = options.by, .threads = threads};
+  check::Options judging = {.by = options.by, .threads = threads};
+  judging.complex.allow_unused = options.allow_unused;
   if (claim == Claim::kPeriodicDelaunay) fault = unfold(*loaded, options.lattice, options.box);
   if (fault.empty()) fault = fault_of_loaded(claim, *loaded, judging);
   if (!fault.empty()) {
@@ -122,7 +125,7 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   output.notes(loaded->notes);
-  output.end_watch();
+  output.begin("certifying " + options.mesh);
   const bool written =
       about == nullptr
           ? write_certificate(options.certificate, options.mesh, loaded->mesh, *verdict, output)
@@ -145,6 +148,8 @@ std::string usage_fault(const CertifyOptions& options) {
        certificate_fault(options.asked, options.said),
        dependence(box, periodic),
        dependence(lattice, periodic),
+       dependence({options.allow_unused, "--allow-unused"},
+                  {options.asked == Claim::kComplex, "--claim complex"}),
        contradiction(lattice, box),
        dependence(periodic, {box.is_given || lattice.is_given, "--lattice or --box"},
                   "say how the mesh repeats")});
@@ -210,6 +215,7 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
   add_domain_options(*command, options->said);
   add_box_option(*command, options->box);
   add_lattice_option(*command, options->lattice);
+  add_allow_unused_option(*command, options->allow_unused);
   const std::map<std::string, check::By> manners = {{"lemma", check::By::kLemma},
                                                     {"definition", check::By::kDefinition}};
   add_options(*command, {{"--points", "FILE", into(options->input.points),

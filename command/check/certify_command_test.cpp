@@ -51,6 +51,19 @@ TEST_CASE("certify: a mesh alone") {
         "circumspect-refutation 2 complex 2 complex.points-equal because 2 4");
   CHECK(begins_with(refuted(kSquareFrom5, "2 3\n5 5 6 7\n6 5 6 8\n"),
                     "circumspect-refutation 2 complex 2 complex.overlap because 1 2 "));
+  // A point that no simplex uses is refuted, or let pass, and then the certificate says so.
+  const std::string unused =
+      meshes.write("unused", "4 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n", "1 3\n0 0 1 2\n");
+  CHECK(run({"certify", unused, "-o", meshes.cert, "--claim", "complex"}).exit_code == 1);
+  CHECK(has(contents(meshes.cert), " triangulation.unused-point\n"));
+  CHECK(run({"certify", unused, "-o", meshes.cert, "--claim", "complex", "--allow-unused"})
+            .exit_code == 0);
+  const std::string passed = contents(meshes.cert);
+  CHECK(begins_with(passed, "circumspect-certificate 1 complex 2 unused\n"));
+  CHECK(run({"check", unused, "--certificate", meshes.cert, "--claim", "complex", "--allow-unused"})
+            .exit_code == 0);
+  CHECK(contents(meshes.cert) == passed);
+  CHECK(run({"certify", unused, "-o", meshes.cert, "--allow-unused"}).exit_code == 2);
   // Of edges it is not known where they cross.
   const std::string crossed = meshes.write("edges", kSquareFrom5, "2 2\n5 5 7\n6 6 8\n");
   const Run none = run({"certify", crossed, "-o", meshes.cert, "--claim", "complex"});

@@ -53,7 +53,9 @@ std::vector<UsageFault> faults_beside_memory(const CheckOptions& options) {
 std::vector<UsageFault> faults_beside_certificate(const CheckOptions& options) {
   if (!options.certificate) return {};
   const Asked certificate{true, "--certificate"};
-  const std::string complex_word = of_complexes_alone(options.complex);
+  ComplexOptions unproved = options.complex;
+  unproved.demands.allow_unused = false;
+  const std::string complex_word = of_complexes_alone(unproved);
   std::vector<UsageFault> faults = {certificate_fault(options.claim, options.said)};
   for (const Asked& asked : std::initializer_list<Asked>{
            {!options.check.quality.empty(), "--require"},

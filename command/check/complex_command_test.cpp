@@ -114,8 +114,7 @@ TEST_CASE("check --claim complex: what contradicts itself is refused, and what m
   CHECK(judged(meshes.surface, {"--closed", "--allow", "hanging-vertex"}).exit_code == 2);
   CHECK(judged(meshes.ring, {"--allow", "overlap"}).exit_code == 2);
   CHECK(judged(meshes.ring, {"--oriented=up"}).exit_code == 2);
-  for (const char* demand :
-       {"--manifold", "--connected", "--allow-unused", "--oriented=positive"}) {
+  for (const char* demand : {"--manifold", "--connected", "--oriented=positive"}) {
     const Run unproved = judged(meshes.ring, {demand, "--certificate", "c"});
     CHECK(unproved.exit_code == 2);
     CHECK(has(unproved.err, demand + std::string(" beside --certificate, found it: nothing")));

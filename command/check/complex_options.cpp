@@ -32,6 +32,11 @@ std::string of_complexes_alone(const ComplexOptions& options) {
   return "";
 }
 
+void add_allow_unused_option(CLI::App& command, bool& allow_unused) {
+  command.add_flag("--allow-unused", allow_unused,
+                   "With the claim complex: let points pass that no simplex uses");
+}
+
 void add_complex_options(CLI::App& command, ComplexOptions& options) {
   command
       .add_flag("--oriented{same}", options.oriented,
@@ -58,8 +63,7 @@ void add_complex_options(CLI::App& command, ComplexOptions& options) {
                   "With the claim complex: count hanging vertices, and let them pass")
       ->check(one_of_words({"hanging-vertex"}))
       ->option_text("hanging-vertex");
-  command.add_flag("--allow-unused", demands.allow_unused,
-                   "With the claim complex: let points pass that no simplex uses");
+  add_allow_unused_option(command, demands.allow_unused);
 }
 
 std::string settle_complex_options(const ComplexOptions& options, std::optional<Claim> claim,

@@ -21,6 +21,8 @@ struct ComplexOptions {
 };
 
 void add_complex_options(CLI::App& command, ComplexOptions& options);
+// One of them, of which something is proved.
+void add_allow_unused_option(CLI::App& command, bool& allow_unused);
 
 // The first option that asks something of the claim `complex` alone; empty if none does.
 std::string of_complexes_alone(const ComplexOptions& options);

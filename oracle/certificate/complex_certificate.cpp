@@ -391,15 +391,23 @@ ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints po
 
 void write(std::ostream& out, const ExactMesh& mesh, const ComplexCertificate& certificate) {
   Lines lines(out);
+  const bool some_unused = std::any_of(certificate.incidences.begin(), certificate.incidences.end(),
+                                       [](const Incidence& incidence) { return !incidence.place; });
   write_first_line(lines, "circumspect-certificate 1", Claim::kComplex,
-                   certificate.points.dimension);
+                   certificate.points.dimension, some_unused ? "unused" : "");
   write_scale(lines, certificate.points);
   begin_section(lines, "points", certificate.order.size());
   const std::vector<std::size_t> number = numbers_in(certificate.order);
   for (const Vertex v : certificate.order) {
     write_point(lines, certificate.points, v, false);
     const Incidence& incidence = certificate.incidences[static_cast<std::size_t>(v)];
-    lines.gap() << incidence.simplex + 1 << *incidence.place << mesh.label(v);
+    lines.gap() << incidence.simplex + 1;
+    if (incidence.place) {
+      lines << *incidence.place;
+    } else {
+      lines << "-";
+    }
+    lines << mesh.label(v);
     lines.end_line();
   }
   std::vector<std::size_t> place(certificate.sequence.size());

@@ -29,7 +29,7 @@ struct Parting {
 struct ComplexCertificate {
   ScaledPoints points;
   std::vector<Vertex> order = {};  // all vertices, in lexicographic order of their coordinates
-  std::vector<Incidence> incidences = {};  // one a vertex
+  std::vector<Incidence> incidences = {};  // one a point; of one that is unused none
   // One a simplex: points that make d+1 affinely independent ones of its vertices, and partings
   // that the hyperplanes of facets do not show. Of two simplices the first has them.
   std::vector<std::vector<std::vector<Integer>>> pads = {};
@@ -38,8 +38,8 @@ struct ComplexCertificate {
       {};  // all simplices, such as are near one another side by side
 };
 
-// Near-linear in the mesh. Requires: the claim complex holds of the mesh, and its points have two
-// or three coordinates.
+// Near-linear in the mesh. Requires: the claim complex holds of the mesh, but that points may be
+// unused, and these have two or three coordinates.
 ComplexCertificate complex_certificate_of(const ExactMesh& mesh, ScaledPoints points);
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.

@@ -226,15 +226,20 @@ std::string add_polygons(const MeshedDomain& in, const ListedSegments& listed,
       const auto place = places.find(tile);
       if (place == places.end())
         return std::string(kNoCertificate) + "a triangle that dangles is in no mesh of the hull";
-      const bool dangles = place->second.first >= in.mesh.simplices.size();
-      if (dangles && (made.claim == Claim::kCdt || made.claim == Claim::kSteinerCdt))
-        return std::string(kNoCertificate) + "a triangle dangles, and would have to be Delaunay";
-      made.dangles = made.dangles || dangles;
+      made.dangles = made.dangles || place->second.first >= in.mesh.simplices.size();
       polygon->tiles.push_back(place->second);
     }
     made.polygons.push_back(std::move(*polygon));
   }
   return "";
+}
+
+// In a CDT such a triangle is shown to be constrained Delaunay by a whole mesh that is Delaunay.
+bool has_dangling_triangle(const ExactMesh& mesh) {
+  const std::vector<Simplex> faces = dangling_faces(mesh);
+  return mesh.points.ambient_dimension() == 3 &&
+         std::any_of(faces.begin(), faces.end(),
+                     [](const Simplex& face) { return face.size() == 3; });
 }
 
 tl::expected<DomainCertificate, std::string> certificate_in(
@@ -243,12 +248,16 @@ tl::expected<DomainCertificate, std::string> certificate_in(
   const std::size_t dimension = in.complex.ambient_dimension();
   auto points = scaled_to_integers(in.mesh.points);
   if (!points) return tl::unexpected(points.error());
-  const bool is_delaunay = claim == Claim::kConformingDelaunay;
+  const bool has_triangle =
+      (claim == Claim::kCdt || claim == Claim::kSteinerCdt) && has_dangling_triangle(in.mesh);
+  const bool is_delaunay = has_triangle || claim == Claim::kConformingDelaunay;
   auto whole = filled(in.mesh, is_delaunay ? fillers.fill_delaunay : fillers.fill);
   if (!whole) {
     return tl::unexpected(
         std::string(kNoCertificate) +
-        "what is between it and its convex hull cannot be filled without more vertices");
+        (has_triangle
+             ? "a triangle dangles, and is in no Delaunay triangulation of the hull with the mesh"
+             : "what is between it and its convex hull cannot be filled without more vertices"));
   }
   DomainCertificate made{.claim = claim, .kind = domain.complex.kind, .whole = std::move(*whole)};
   made.mesh = certificate_of(made.whole, is_delaunay ? Claim::kDelaunay : Claim::kTriangulation,

@@ -396,6 +396,16 @@ std::optional<Evidence> uncovered_hull_evidence(const ExactMesh& mesh, const Sca
 
 std::optional<Evidence> edge_evidence(const ExactMesh& mesh, const Witness& witness) {
   Evidence evidence{Rule::kEdgeNotDelaunay, {}};
+  // The edge is one of two rows: a triangle that is listed twice is a third one.
+  Simplex edge = witness.simplices.front();
+  std::erase(edge, witness.vertices.front());
+  const auto rows =
+      std::count_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& row) {
+        return std::all_of(edge.begin(), edge.end(), [&](Vertex end) {
+          return std::find(row.begin(), row.end(), end) != row.end();
+        });
+      });
+  if (rows != 2) return std::nullopt;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto number = number_of(mesh, witness.simplices[side]);
     if (!number) return std::nullopt;

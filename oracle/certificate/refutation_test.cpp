@@ -83,6 +83,9 @@ TEST_CASE("an edge of a surface that is not Delaunay") {
         "circumspect-refutation 2 surface-delaunay 2 surface.edge-not-delaunay\nscale 1 1\n"
         "points 4\n0 0  0\n4 -1  1\n4 1  2\n8 0  3\n"
         "simplices 2\n3  1 2 4\n3  1 4 3\nbecause 1 1 2 2\nend\n");
+  // Of a triangle that is listed twice the edge is one of three rows.
+  const ExactMesh twice{wide.points, {{0, 1, 3}, {0, 3, 2}, {3, 2, 0}}};
+  CHECK(!document_of(twice, check::judge_exactly(Claim::kSurfaceDelaunay, twice, nullptr, {})));
 }
 
 TEST_CASE("simplices by themselves and as lists of vertices") {

@@ -252,6 +252,12 @@ void write_body(Lines& lines, const DomainCertificate& certificate) {
   }
 }
 
+// A triangle that dangles in a CDT: the whole mesh is said to be Delaunay.
+bool shows_that_triangles_are_delaunay(const DomainCertificate& certificate) {
+  return certificate.dangles && certificate.mesh.claim == Claim::kDelaunay &&
+         certificate.claim != Claim::kConformingDelaunay;
+}
+
 }  // namespace
 
 void write(std::ostream& out, const DomainCertificate& certificate) {
@@ -259,7 +265,8 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
   write_first_line(
       lines, "circumspect-certificate 1", certificate.claim, certificate.mesh.points.dimension,
       fmt::format("{}{}{}", certificate.kind == DomainKind::kHull ? "hull" : "enclosed",
-                  certificate.complex ? " plc" : "", certificate.dangles ? " dangling" : ""));
+                  certificate.complex ? " plc" : "", certificate.dangles ? " dangling" : "") +
+          (shows_that_triangles_are_delaunay(certificate) ? " delaunay" : ""));
   write_body(lines, certificate);
   if (certificate.complex) {
     write_complex(lines, numbers_in(certificate.mesh.order), *certificate.complex);

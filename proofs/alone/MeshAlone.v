@@ -129,18 +129,22 @@ End Tree.
 (** ** The whole *)
 
 Section Alone.
-Variables (pr : predicates) (c : complex_certificate).
+Variables (pr : predicates) (unused_allowed : bool) (c : complex_certificate).
 Let points_table := Table.of_list position (complex_points c).
 Let cells_table := Table.of_list id (complex_cells c).
 Let order_table := Table.of_list id (complex_order c).
 
-(** [point-used] *)
+(** [point-used]: a point is the vertex that it names, or it names none, if that is allowed. *)
 Definition vertex_used (k : positive) (e : point_entry) : result :=
   require point_used by
-    match Table.find (home e) cells_table, home_vertex e with
-    | Some t, Some i => match nth_error (cell_vertices t) i with Some v => Pos.eqb v k | None =>
-        false end
-    | _, _ => false
+    match home_vertex e with
+    | None => unused_allowed
+    | Some i =>
+        match Table.find (home e) cells_table with
+        | Some t => match nth_error (cell_vertices t) i with Some v => Pos.eqb v k | None =>
+            false end
+        | None => false
+        end
     end at AtPoint k; Accepted.
 
 (** [vertex-known]; [simplex-proper]: without it a simplex could be flat; [simplex-listed]: or not
@@ -193,4 +197,7 @@ Definition check_alone_in : result :=
 End Alone.
 
 Definition check_alone (D : plane_or_space) (c : complex_certificate) : result :=
-  check_alone_in (predicates_of D) c.
+  check_alone_in (predicates_of D) false c.
+(** The same, where points may be no vertices. *)
+Definition check_some_unused (D : plane_or_space) (c : complex_certificate) : result :=
+  check_alone_in (predicates_of D) true c.

@@ -64,8 +64,8 @@ Section Sound.
 Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
 Hypothesis Or : oriented orient.
 Hypothesis Co : computes orient pr.
-Variable c : complex_certificate.
-Hypothesis accepts : check_alone_in pr c = Accepted.
+Variables (unused_allowed : bool) (c : complex_certificate).
+Hypothesis accepts : check_alone_in pr unused_allowed c = Accepted.
 Let dim_d : dimension pr = d := computes_dimension _ _ Co.
 Notation bare := (bare_certificate c).
 Notation r := (unit_of bare).
@@ -75,7 +75,7 @@ Notation T := (simplices_of_certificate d bare).
 Notation points_table := (Table.of_list position (complex_points c)).
 
 Lemma parts_accepted : 0 < r /\ check_points pr (complex_points c) = Accepted /\
-  each (vertex_used c) 1 (complex_points c) = Accepted /\ complex_cells c <> [] /\
+  each (vertex_used unused_allowed c) 1 (complex_points c) = Accepted /\ complex_cells c <> [] /\
   each (check_cell pr c) 1 (complex_cells c) = Accepted /\
   exists l t, leaves_of pr c [] (complex_order c) = Some l /\ grown 62 l = Some t /\
     all_parted (dimension pr) t = Accepted.
@@ -126,13 +126,12 @@ Proof.
     intros p [<-|I]; auto.
 Qed.
 
-Lemma alone_points_used p : In p P -> exists t, In t T /\ In p t.
+Lemma alone_points_used p : unused_allowed = false -> In p P -> exists t, In t T /\ In p t.
 Proof.
-  intros I. apply in_points in I. destruct I as (k & e & E & ->). cbn in E.
+  intros Un I. apply in_points in I. destruct I as (k & e & E & ->). cbn in E.
   destruct parts_accepted as (_ & _ & H & _). pose proof (each_accepted _ _ H k e E) as V.
-  unfold vertex_used in V. accepted. destruct (Table.find (home e) _) as [t|] eqn:F;
-    [|discriminate].
-  destruct (home_vertex e) as [i|]; [|discriminate].
+  unfold vertex_used in V. accepted. destruct (home_vertex e) as [i|]; [|congruence].
+  destruct (Table.find (home e) _) as [t|] eqn:F; [|discriminate].
   destruct (nth_error (cell_vertices t) i) as [v|] eqn:N; [|discriminate]. booleans. subst v.
   rewrite table_find in F. destruct (numbered (complex_cells c) (home e)) as [t'|] eqn:M;
     [|discriminate].
@@ -413,7 +412,7 @@ Proof.
   unfold numbered.
   now rewrite SuccNat2Pos.id_succ.
 Qed.
-Theorem check_alone_in_sound : simplices_form_a_complex P T.
+Theorem check_alone_in_sound : simplices_meet_in_faces P T.
 Proof.
   constructor.
   - destruct parts_accepted as (_ & _ & _ & N & _). unfold simplices_of_certificate. cbn.
@@ -432,15 +431,24 @@ Proof.
     induction H as [|s l F H IH]; constructor; [|assumption].
     eapply Forall_impl; [|exact F]. now intros t [_ M].
   - exact alone_points_once.
-  - exact alone_points_used.
 Qed.
 End Sound.
 
+Theorem check_some_unused_sound D c : check_some_unused D c = Accepted ->
+  simplices_meet_in_faces (points_of_certificate (dimension_of D) (bare_certificate c))
+    (simplices_of_certificate (dimension_of D) (bare_certificate c)).
+Proof.
+  destruct D; intros A.
+  - exact (check_alone_in_sound oriented2 plane_computes true c A).
+  - exact (check_alone_in_sound oriented3 space_computes true c A).
+Qed.
 Theorem check_alone_sound D c : check_alone D c = Accepted ->
   simplices_form_a_complex (points_of_certificate (dimension_of D) (bare_certificate c))
     (simplices_of_certificate (dimension_of D) (bare_certificate c)).
 Proof.
-  destruct D; intros A.
-  - exact (check_alone_in_sound oriented2 plane_computes c A).
-  - exact (check_alone_in_sound oriented3 space_computes c A).
+  destruct D; intros A; split.
+  - exact (check_alone_in_sound oriented2 plane_computes false c A).
+  - intros p. now apply (alone_points_used false c A).
+  - exact (check_alone_in_sound oriented3 space_computes false c A).
+  - intros p. now apply (alone_points_used false c A).
 Qed.

@@ -106,7 +106,7 @@ Proof.
 Qed.
 
 (** The definition of the claim says that they are one. *)
-Theorem a_complex_indeed S T : simplices_form_a_complex S T -> simplicial_complex (faces_of T).
+Theorem a_complex_indeed S T : simplices_meet_in_faces S T -> simplicial_complex (faces_of T).
 Proof.
   intros H. apply complex_of_simplices; [intros t It; now apply (independent_vertices S T H)|].
   pose proof (meeting_in_faces S T H) as F.

@@ -286,17 +286,22 @@ Qed.
 
 Hypothesis claim_accepts : check_claim pr shown D = Accepted.
 
-Lemma dangling_delaunay : domain_claimed D = ConformingDelaunay -> forall s, In s (T ++ low) ->
+Lemma listed_delaunay : delaunay_of (claimed c) = true -> forall s, In s (T ++ low) ->
   delaunay (concat (T ++ low)) s.
 Proof.
-  intros Cl s Is. pose proof claim_accepts as H. unfold check_claim in H. rewrite Cl in H. accepted.
-  destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _).
+  intros Whole s Is. destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _).
   pose proof (check_in_sound Or Co c accepts) as Sound.
   destruct (claimed c) eqn:Ec; try discriminate. destruct Sound as [((_ & _ & _ & Vs & _) & _) Del].
   destruct (listed_faces s Is) as (_ & _ & t & It & J). destruct (Del t It) as (o & r2 & C & Em).
   exists o, r2. split; [intros v Iv; apply C; auto|]. intros x Ix. apply Em.
   apply in_concat in Ix. destruct Ix as (u & Iu & Ix).
   destruct (listed_faces u Iu) as (_ & _ & t' & It' & J'). apply (Vs t' It'). auto.
+Qed.
+Lemma dangling_delaunay : domain_claimed D = ConformingDelaunay -> forall s, In s (T ++ low) ->
+  delaunay (concat (T ++ low)) s.
+Proof.
+  intros Cl. pose proof claim_accepts as H. unfold check_claim in H. rewrite Cl in H. accepted.
+  now apply listed_delaunay.
 Qed.
 
 Lemma kept_constrained_delaunay V : check_local pr shown D = Accepted ->
@@ -374,17 +379,26 @@ Proof.
   - now apply (step_vertices KF s).
   - apply in_map_iff in Is. destruct Is as (w & <- & Iw). now destruct Iv as [<-|[]].
 Qed.
-Lemma all_constrained V : triangles_may_dangle D = false -> check_local pr shown D = Accepted ->
+(** A triangle that dangles is Delaunay, then; else none does. *)
+Lemma all_constrained V : triangles_may_dangle D = delaunay_of (claimed c) ->
+  check_local pr shown D = Accepted ->
   (forall v, In v V -> exists s, In s (T ++ low) /\ In v s) ->
-  (forall t, In t T -> incl t V) -> forall s, In s (T ++ low) ->
+  (forall s, In s (T ++ low) -> incl s V) -> forall s, In s (T ++ low) ->
   has_to_be_constrained_delaunay (T ++ low) s -> constrained_delaunay V P s.
 Proof.
-  intros Ti Lo HV TV s Is Has.
+  intros May Lo HV SV s Is Has. destruct (triangles_may_dangle D).
+  { destruct (listed_delaunay (eq_sym May) s Is) as (o & r2 & C & Em). split; [now apply SV|].
+    split; [exact (listed_respects P A T low whole_complex listed_faces all_cells_covered
+      all_in_cells s Is)|].
+    exists o, r2. split; [exact C|]. intros v x Iv _ _. apply Em.
+    destruct (HV v Iv) as (u & Iu & Ivu). apply in_concat. eauto. }
+  assert (TV : forall t, In t T -> incl t V)
+    by (intros t It; apply SV, in_or_app; now left).
   assert (It : In s T).
   { apply in_app_or in Is. destruct Is as [Is|Is]; [assumption|exfalso].
     destruct Has as [L|[L Dangles]]; [pose proof (low_lengths s Is); lia|].
     rewrite !in_app_iff in Is. destruct Is as [Is|[Is|Is]].
-    - destruct (no_triangle_dangles Ti s Is) as (t & It & J).
+    - destruct (no_triangle_dangles eq_refl s Is) as (t & It & J).
       apply (Dangles t); [apply in_or_app; now left|now apply shapes|assumption].
     - destruct (step_at_entry s Is) as (_ & L2 & _). lia.
     - apply in_map_iff in Is. destruct Is as (v & <- & _). discriminate. }
@@ -404,10 +418,10 @@ Proof.
     split; [now split|]. intros s Is.
     apply all_constrained; try assumption; [unfold triangles_may_dangle; now rewrite Cl|..].
     + intros v Iv. exists [v]. split; [|now left]. apply in_or_app. right. now apply corners_listed.
-    + intros t It v Iv. apply (Known t); [|assumption]. apply in_or_app. now left.
+    + intros t It v Iv. now apply (Known t).
   - split; [assumption|]. intros s Is.
     apply all_constrained; try assumption; [unfold triangles_may_dangle; now rewrite Cl|..].
     + intros v Iv. apply in_concat in Iv. exact Iv.
-    + intros t It v Iv. apply in_concat. exists t. split; [apply in_or_app; now left|assumption].
+    + intros t It v Iv. apply in_concat. now exists t.
 Qed.
 End Certified.

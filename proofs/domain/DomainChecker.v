@@ -444,9 +444,12 @@ Definition check_faces (c : domain_certificate) : result :=
   | PlcTriangulation | Cdt => known_faces c
   | _ => Accepted
   end.
-(** A triangle that dangles would have to be constrained Delaunay. *)
+(** A triangle that dangles has to be constrained Delaunay: it is Delaunay, if the whole mesh is. *)
 Definition triangles_may_dangle (c : domain_certificate) : bool :=
-  match domain_claimed c with Cdt | SteinerCdt => false | _ => true end.
+  match domain_claimed c with
+  | Cdt | SteinerCdt => delaunay_of (claimed (whole_mesh c))
+  | _ => true
+  end.
 
 Definition check_dangling (D : plane_or_space) (c : domain_certificate) : result :=
   let p := domain_part c in

@@ -49,6 +49,14 @@ def certificates():
     yield changed("scale--alone", "rejected: scale", ("scale 1 1", "scale 1 0\n"))
     yield changed("points-increasing--alone", "rejected: points-increasing, point 1", ("0 4  1 1 1", "0 0  1 1 1\n"))
     yield changed("point-used--alone", "rejected: point-used, point 5", ("4 4  2 1 4", "4 4  2 0 4\n"))
+    # A point that is no vertex, and says so.
+    unused = [("points 5", "points 6\n"), ("4 4  2 1 4", "4 4  2 1 4\n5 0  1 - 5\n")]
+    some_unused = BOW_TIE.replace("complex 2\n", "complex 2 unused\n")
+    yield changed("complex--some-unused", "verified: complex, 6 points, 2 triangles, 1 unused", *unused, base=some_unused)
+    yield changed("complex--some-unused--none", "verified: complex, 5 points, 2 triangles, 0 unused", base=some_unused)
+    yield changed("point-used--unused", "rejected: point-used, point 6", *unused)
+    yield changed("point-used--some-unused", "rejected: point-used, point 5", ("4 4  2 1 4", "4 4  2 0 4\n"), base=some_unused)
+    yield changed("simplices-parted--some-unused", "rejected: simplices-parted", ("1 2 3  1  2 -1 0 -2", "1 2 3  1\n"), base=some_unused)
     yield changed("vertex-known--alone", "rejected: vertex-known, simplex 2", ("4 5 3  2", "4 5 9  2\n"))
     yield changed("simplex-proper", "rejected: simplex-proper, simplex 1", ("0 4  1 1 1", "1 1  1 1 1\n"))
     yield changed("simplex-proper--pad-in-its-plane", "rejected: simplex-proper, simplex 1", ("1 4 3  2  0 0 1", "1 4 3  2  1 1 0\n"),

@@ -16,8 +16,8 @@ failures=0
 for file in "$again"/*.cert; do
   IFS= read -r expected <"$file"
   expected=${expected:2}
-  # However large a file is, it gets no more than 600 MB here, and 60 s.
-  found=$(ulimit -v 600000 -t 60 && "$program" "$file") && code=0 || code=$?
+  # However large a file is, it gets no more than 200 MB here, and 10 s of a processor.
+  found=$(ulimit -v 200000 -t 10 && "$program" "$file") && code=0 || code=$?
   case "$expected" in
     verified*) wanted=0 ;;
     rejected*) wanted=1 ;;

@@ -26,7 +26,8 @@ def polygon_text(f):
 def domain_text(c):
     lines = mesh_text(c["mesh"]).split("\n")[1:-2]
     lines.insert(0, "circumspect-certificate 1 %s %d %s%s" % (
-        c["claim"], c["mesh"]["d"], c["kind"], " plc" if "complex" in c else " dangling" if "dangling" in c else ""))
+        c["claim"], c["mesh"]["d"], c["kind"],
+        " plc" if "complex" in c else " dangling" if "dangling" in c else "") + (" delaunay" if "delaunay" in c else ""))
     lines += part_text(c["part"])
     if c["mesh"]["d"] == 3:
         lines.append("polygons %d" % len(c["polygons"]))
@@ -229,6 +230,13 @@ def where_something_dangles():
     yield "sound--fin", fin, \
         "verified: steiner-triangulation, 5 points, 1 tetrahedron; 1 dangling face; domain: enclosed, 5 vertices, 8 segments, 5 polygons"
     yield "polygon-tiled--fin--a-triangle-of-a-cdt", dict(fin, claim="steiner-cdt"), "rejected: polygon-tiled, polygon 5"
+    # But where all of the mesh is Delaunay, so is the triangle.
+    shown = dict(fin, claim="steiner-cdt", delaunay=True)
+    yield "sound--fin--cdt", shown, \
+        "verified: steiner-cdt, 5 points, 1 tetrahedron; 1 dangling face; domain: enclosed, 5 vertices, 8 segments, 5 polygons"
+    near = dict(space_domain("steiner-cdt", "enclosed", [*FIN[:4], (3, 3, 3)], [(0, 1, 2, 3), (1, 2, 3, 4)], 1, FIN_TRIANGLES, FIN_SEGMENTS),
+                dangling=True, delaunay=True)
+    yield "facet-locally-delaunay--fin--cdt", near, "rejected: facet-locally-delaunay"
     elsewhere = copy.deepcopy(fin)
     elsewhere["polygons"][4]["tiles"] = elsewhere["polygons"][3]["tiles"]
     yield "polygon-tiled--fin--elsewhere", elsewhere, "rejected: polygon-tiled, polygon 5"

@@ -161,7 +161,7 @@ let line (c : Reading.context) space name =
   { mesh; compare_domain = None; verdict }
 
 (* A mesh alone: its simplices may be of any dimension. *)
-let mesh_alone (c : Reading.context) space =
+let mesh_alone (c : Reading.context) space ~unused_allowed =
   let certificate, labels = Complex_file.read c in
   let width = Reading.of_natural certificate.complex_dimension + 1 in
   let cells = Array.of_list certificate.complex_cells in
@@ -173,11 +173,13 @@ let mesh_alone (c : Reading.context) space =
   let one, several = match width with
     | 1 -> ("point", "points") | 2 -> ("edge", "edges") | 3 -> ("triangle", "triangles")
     | _ -> ("tetrahedron", "tetrahedra") in
-  let verdict () = match check_alone space certificate with
+  let verdict () = match (if unused_allowed then check_some_unused else check_alone) space certificate with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
-      (Printf.sprintf "verified: %s, %s, %s" complex (counted (List.length labels) "point" "points")
-         (counted (Array.length cells) one several), 0) in
+      let unused = List.length (List.filter (fun (e : point_entry) -> e.home_vertex = None) certificate.complex_points) in
+      (Printf.sprintf "verified: %s, %s, %s%s" complex (counted (List.length labels) "point" "points")
+         (counted (Array.length cells) one several)
+         (if unused_allowed then Printf.sprintf ", %d unused" unused else ""), 0) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
 (* Triangles, in the plane or in space, and the angles at their edges. *)
@@ -257,9 +259,9 @@ let faces_that_dangle (c : domain_certificate) simplices =
   let pieces = without pieces simplices in
   Faces.elements pieces @ Faces.elements (without (without steps simplices) (Faces.elements pieces))
 
-(* The mesh is that of the kept simplices, and of what dangles. *)
-let domain (c : Reading.context) space claimed kind ~is_complex ~dangles =
-  let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex in
+(* The mesh is that of the kept simplices, and of what dangles.  The whole mesh may be said to be Delaunay. *)
+let domain ?(is_delaunay = false) (c : Reading.context) space claimed kind ~is_complex ~dangles =
+  let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex ~is_delaunay in
   let whole = certificate.whole_mesh and part = certificate.domain_part in
   let rec kept_of found simplices marks = match simplices, marks with
     | (e : simplex_entry) :: simplices, (mark : mark) :: marks ->
@@ -381,11 +383,14 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
 let read source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull or flat]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc, or dangling [delaunay]]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull or flat]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = complex ->
     let c, (), space = context source [ (complex, ()) ] claim dimension in
-    mesh_alone c space
+    mesh_alone c space ~unused_allowed:false
+  | [ "circumspect-certificate"; "1"; claim; dimension; "unused" ] when claim = complex ->
+    let c, (), space = context source [ (complex, ()) ] claim dimension in
+    mesh_alone c space ~unused_allowed:true
   | [ "circumspect-certificate"; "1"; claim; dimension ] when claim = surface_delaunay ->
     let c, (), space = context source [ (surface_delaunay, ()) ] claim dimension in
     surface c space
@@ -417,6 +422,9 @@ let read source =
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "dangling" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain c space claimed (List.assoc kind kinds) ~is_complex:false ~dangles:true
+  | [ "circumspect-certificate"; "1"; claim; dimension; kind; "dangling"; "delaunay" ] when List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain c space claimed (List.assoc kind kinds) ~is_delaunay:true ~is_complex:false ~dangles:true
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain c space claimed (List.assoc kind kinds) ~is_complex:true ~dangles:false

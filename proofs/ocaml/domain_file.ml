@@ -135,8 +135,8 @@ let complex c polygons =
   { faces; one_sided; polygon_parts = several polygons }
 
 (* The mesh of a whole hull, and how the domain lies in it; and the labels of its points. *)
-let body c domain_claimed kind =
-  let claimed = if domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
+let body ?(is_delaunay = false) c domain_claimed kind =
+  let claimed = if is_delaunay || domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
   let packed, labels = Certificate_file.body ~some_are_nobodys:true c claimed in
   let whole_mesh = Certificate_file.in_lists (if c.d = 2 then Plane else Space) packed in
   let domain_part = part c in
@@ -150,8 +150,8 @@ let body c domain_claimed kind =
   ({ domain_claimed; kind; whole_mesh; domain_part; polygons }, labels)
 
 (* The certificate, and the labels of its points; and what shows that the domain is a complex, if it says so. *)
-let read c domain_claimed kind ~is_complex =
-  let certificate, labels = body c domain_claimed kind in
+let read c domain_claimed kind ~is_complex ~is_delaunay =
+  let certificate, labels = body ~is_delaunay c domain_claimed kind in
   let complex = if is_complex then Some (complex c (List.length certificate.polygons)) else None in
   ending c;
   (certificate, complex, labels)
