@@ -59,11 +59,7 @@ step "installing what README.md takes for granted, and what only this test needs
 # archive_for ARCHITECTURE GNU [ARGUMENT…]: build/ARCHITECTURE, configured with ARGUMENT, has the
 # command, linked without any shared library, and build/dist what cmake/dist.sh makes of it.
 archive_for() {
-  local libraries processor=${2%%-*}
-  libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf "lib%s-dev:$1 " $name; done)
-  step "installing what compiles for $1, and qemu" inside \
-    "dpkg --add-architecture $1 && apt-get -q update &&
-     apt-get install -q -y --no-install-recommends g++-$2 zlib1g-dev:$1 libzstd-dev:$1 liblzma-dev:$1 $libraries qemu-user"
+  local processor=${2%%-*}
   cat >"$root/root/circumspect/build/$1.cmake" <<END
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR $processor)
@@ -104,6 +100,11 @@ debian-13() {
 
 # What was made is asked where it was unpacked.
 arm64() {
+  local libraries
+  libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf 'lib%s-dev:arm64 ' $name; done)
+  step "installing what compiles for arm64, and qemu" inside \
+    "dpkg --add-architecture arm64 && apt-get -q update &&
+     apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 libzstd-dev:arm64 liblzma-dev:arm64 $libraries qemu-user"
   archive_for arm64 aarch64-linux-gnu
   cp "$root"/root/circumspect/build/dist/*-aarch64.tar.gz "$folder/arm64/"
   inside 'rm -rf /root/arm64 && mkdir /root/arm64 && tar -C /root/arm64 --strip-components=1 -xzf build/dist/*-aarch64.tar.gz'
@@ -112,8 +113,20 @@ arm64() {
 }
 
 # Nobody is given this one. The filters are optimized all the same, and the rest compiles in less
-# time.
+# time. Archives and headers are unpacked beside the cross-compiler's own C library. To install them
+# takes one of the same version as amd64's, and zlib's has to be: a mirror may lack either.
 s390x() {
+  step "installing what compiles for s390x, and qemu" inside \
+    'dpkg --add-architecture s390x && sed "s/^deb /deb-src /" /etc/apt/sources.list >/etc/apt/sources.list.d/sources.list &&
+     apt-get -q update && apt-get install -q -y --no-install-recommends g++-s390x-linux-gnu dpkg-dev qemu-user &&
+     rm -rf build/for-s390x && mkdir -p build/for-s390x && cd build/for-s390x &&
+     apt-get download lib{gmp,mpfr,cadical,pugixml,fmt,zstd,cgal}-dev:s390x &&
+     for package in *.deb; do dpkg-deb -x "$package" /; done &&
+     apt-get source -q --download-only --tar-only zlib && mkdir zlib && tar -C zlib --strip-components=1 -xf zlib_*.orig.tar.*'
+  step "zlib for s390x, from its sources" inside \
+    'cd build/for-s390x/zlib &&
+     CHOST=s390x-linux-gnu ./configure --static && make libz.a &&
+     cp libz.a /usr/lib/s390x-linux-gnu/ && cp zconf.h /usr/include/s390x-linux-gnu/'
   archive_for s390x s390x-linux-gnu -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1
   judges /root/circumspect/build/s390x/bin/circumspect "IBM S/390" s390x --one-in 8
 }
