@@ -176,14 +176,14 @@ class Action(unittest.TestCase):
         """Nobody runs that workflow here: its commands are those of a page, and name what there is."""
         root = HERE.parent
         text = (root / ".github" / "workflows" / "builds.yml").read_text(encoding="utf-8")
-        page = (root / "docs" / "packages.md").read_text(encoding="utf-8").splitlines()
+        page = (root / "docs" / "platforms.md").read_text(encoding="utf-8").splitlines()
         targets = set(re.search(r"^\.PHONY: ((?:.*\\\n)*.*)", (root / "Makefile").read_text(), re.M)[1].split())
         built = "".join(file.read_text() for file in [root / "CMakeLists.txt", *root.glob("*/CMakeLists.txt"), *root.glob("cmake/*.cmake")])
         commands = [line for line in re.findall(r"^ +(?:- )?run: (.+)$", text, re.M) if not line.startswith(("apt-get ", "git "))]
         self.assertGreaterEqual(len(commands), 18)
         for command in commands:
             if not re.fullmatch(r"make \w+", command):  # which the page has within a sentence
-                self.assertTrue(command in page, f"expected in docs/packages.md: {command}")
+                self.assertTrue(command in page, f"expected in docs/platforms.md: {command}")
             words = command.split()
             for target in words[1:] if words[0] == "make" else []:
                 self.assertTrue(target in targets, f"expected a target {target} in the Makefile")

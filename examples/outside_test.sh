@@ -118,6 +118,8 @@ for program in "$work/c/check" "$work"/c-by-pkg-config; do
   "$program" >"$work/said" || fail "the C library was wrong"
   grep -q "^delaunay.facet-not-local: vertex 3 in a ball of squared radius 1/2" "$work/said" || fail "expected a witness"
 done
+if "$work/c/square" >"$work/said"; then fail "expected that the wrong diagonal is found"; fi
+grep -q "^fails: delaunay mesh delaunay.facet-not-local 1 face 1 2 vertex 3" "$work/said" || fail "expected a witness, found $(cat "$work/said")"
 python3 "$examples/c/check.py" >"$work/said" || fail "the C library was wrong, called by ctypes"
 if command -v rustc >/dev/null; then  # no package that make test installs: debian/fresh_root_test.sh has it
   echo "the C library, from Rust"

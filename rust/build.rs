@@ -31,6 +31,21 @@ fn lay_down(folder: &str) {
     println!("cargo:rustc-link-search=native={}", out.display());
 }
 
+/// The words of what pkg-config says, which has a backslash before a space within a name.
+fn words(said: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut characters = said.chars();
+    while let Some(character) = characters.next() {
+        let word = words.last_mut().expect("there is one from the beginning");
+        match character {
+            '\\' => word.extend(characters.next()),
+            _ if character.is_whitespace() => words.push(String::new()),
+            _ => word.push(character),
+        }
+    }
+    words
+}
+
 fn main() {
     // docs.rs links nothing, and has no C library.
     if env::var_os("DOCS_RS").is_some() {
@@ -57,7 +72,7 @@ fn main() {
         Ok(said) if !said.status.success() => give_up(String::from_utf8_lossy(&said.stderr).trim()),
         Ok(said) => String::from_utf8_lossy(&said.stdout).into_owned(),
     };
-    for word in said.split_whitespace() {
+    for word in words(&said) {
         if let Some(folder) = word.strip_prefix("-L") {
             println!("cargo:rustc-link-search=native={folder}");
             if !is_static {

@@ -18,14 +18,15 @@ else
   sed -i -e '/^\[features\]/,$d' Cargo.toml
   cargo test --quiet
 fi
-# In a project that has the crate, the test of README.md.
+# In a project that has the crate, the test of README.md; the name of the prefix is a strange one.
+ln -s "$prefix" "$work/a strange+place"
 mkdir -p "$work/project/src" "$work/project/tests"
 touch "$work/project/src/lib.rs"
 printf '[package]\nname = "project"\nversion = "0.1.0"\nedition = "2021"\n[dev-dependencies]\ncircumspect = { path = "../circumspect" }\n' \
   >"$work/project/Cargo.toml"
 { sed -n '/^```rust$/,/^```$/{/^```/!p}' README.md
   echo 'fn my_triangulation(_: &[[f64; 2]]) -> [[usize; 3]; 2] { [[0, 1, 2], [0, 2, 3]] }'; } >"$work/project/tests/square.rs"
-(cd "$work/project" && cargo test --quiet --test square) | tee "$work/log"
+(cd "$work/project" && CIRCUMSPECT_PREFIX="$work/a strange+place" cargo test --quiet --test square) | tee "$work/log"
 grep -q "1 passed" "$work/log"
 # As docs.rs does it, where there is no C library.
 CIRCUMSPECT_PREFIX=$work DOCS_RS=1 CARGO_TARGET_DIR=$work/documented cargo doc --quiet --no-deps
