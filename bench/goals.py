@@ -139,7 +139,10 @@ class Table:
         missed = 0
         print("| what | goal | measured | |\n| --- | --- | --- | --- |")
         for name, (goal, at_least, words), value in self.rows:
-            found, measured = value()
+            try:
+                found, measured = value()
+            except (subprocess.CalledProcessError, ValueError) as fault:  # the other rows are printed all the same
+                found, measured = None, f"not measured: {getattr(fault, 'stderr', None) or fault}".strip().splitlines()[-1]
             share = None if found is None else goal / found if at_least else found / goal
             verdict = "" if share is None else "met" if share <= 1 else f"missed by {100 * (share - 1):.0f} %"
             missed += verdict.startswith("missed")
@@ -293,7 +296,7 @@ def add_ranks(table, build, mesh):
 IN_NODE = """import { readFileSync } from 'node:fs';
 const [folder, points, cells, rounds] = process.argv.slice(1);
 const { check } = await import(folder + '/index.mjs');
-const bytes = (path) => readFileSync(path).buffer;
+const bytes = (path) => new Uint8Array(readFileSync(path)).buffer;
 const at = new Float64Array(bytes(points)), simplices = new Int32Array(bytes(cells));
 let least = Infinity;
 for (let i = 0; i < Number(rounds); ++i) {
@@ -370,8 +373,7 @@ def add_mesh(table, command, given, folder):
         mesh.with_suffix(ending).write_bytes(given.with_suffix(ending).read_bytes())
     surface, name = boundary_of(mesh), f"{mesh.stem} | {size_of(mesh)} | {size_of(boundary_of(mesh))}"
     add_rounded(table, command, mesh, name)
-    check = add_domain(table, command, mesh, surface, name)
-    table.times(f"{name}: `certify`, beside `check`", [command, "certify", *check[2:], "-o", folder / f"{mesh.stem}.cert"], check, 4)
+    add_domain(table, command, mesh, surface, name)
     alone = [command, "check", mesh, "--claim", "complex"]
     table.times(f"{name}: `compare` with itself, beside `--claim complex`", [command, "compare", mesh, mesh], alone, 1.5)
     triangles = int(size_of(surface).replace(",", ""))
