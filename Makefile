@@ -278,7 +278,7 @@ bench: deps-bench
 	@$(BENCH)
 	@cmake --build build/bench --target bench -j $(JOBS)
 
-# One table of goals, beside TetGen and the readers of others (bench/goals.py): twenty minutes on an idle machine. The row of
+# One table of goals, beside TetGen and the readers of others (bench/goals.py), which GOALS="--divide 30 --rounds 1" tries. The row of
 # WebAssembly is there once `make npm` has built the package.
 bench-goals: deps-bench
 	@$(BENCH) -DCIRCUMSPECT_BUILD_MPI=ON -DCIRCUMSPECT_BUILD_PYTHON=ON
