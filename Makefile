@@ -23,7 +23,7 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
 .PHONY: build verified demo build-demo docs page proofs check test test-style test-packages test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
-        coverage bench format clean deb dist fresh-root ports windows wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
+        coverage bench bench-goals format clean deb dist fresh-root ports windows wheel wheel-root rust release web npm web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
         deps-deb deps-bench deps-web
 
 deps: ; @cmake/packages.sh build demo proofs test browser bench web
@@ -272,10 +272,18 @@ coverage: deps-test
 	  gcovr --root . --object-directory build/coverage --filter "oracle/$$folder/" --exclude '.*_test\.[ch]pp' \
 	    --exclude-throw-branches --exclude-unreachable-branches $$what; done; done
 
+BENCH := $(CONFIGURE) --preset release -B build/bench -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }
-	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
-	@cmake --build --preset release --target bench -j $(JOBS)
+	@$(BENCH)
+	@cmake --build build/bench --target bench -j $(JOBS)
+
+# One table of goals, beside TetGen and the readers of others (bench/goals.py), which GOALS="--divide 30 --rounds 1" tries. The row of
+# WebAssembly is there once `make npm` has built the package.
+bench-goals: deps-bench
+	@$(BENCH) -DCIRCUMSPECT_BUILD_MPI=ON -DCIRCUMSPECT_BUILD_PYTHON=ON
+	@cmake --build build/bench --target circumspect_cli circumspect-mpi circumspect_python circumspect_bench -j $(JOBS)
+	@/usr/bin/python3 bench/goals.py build/bench $(GOALS)
 
 format: deps-test
 	@$(SOURCES) | xargs -r -d '\n' $(CLANG_FORMAT) -i

@@ -6,12 +6,14 @@
 TetGen (in PATH) makes the Delaunay mesh of N random points (150,000: a million tetrahedra), whose claim is `delaunay`; formats of
 surfaces get a wavy square of about as many triangles, whose claim is `complex`. Times are of the processor, files included, the
 least of some rounds in turns on one thread, and memory is the most that was resident; both are divided by those of the `.npy`
-of the same mesh. The exit code is 1 if a format in binary takes more than 1.3 times its time, one in text more than twice, or
+of the same mesh. Of VTK, meshio and Gmsh, those that are installed read the files too; their times are of reading alone, without
+the start of Python. The exit code is 1 if a format in binary takes more than 1.3 times its time, one in text more than twice, or
 either more than 1.5 times its memory.
 """
 import argparse
 import array
 import base64
+import dataclasses
 import math
 import os
 import pathlib
@@ -26,6 +28,42 @@ import taken
 
 GOALS = {"binary": 1.3, "text": 2.0}
 MEMORY = 1.5
+
+# How the libraries of others read a file, for READ, which prints what that takes: nothing if
+# they do not read such files.
+PEERS = {"VTK": """
+from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOGeometry import vtkOBJReader
+readers = {".vtk": vtkUnstructuredGridReader, ".vtu": vtkXMLUnstructuredGridReader, ".ply": vtkPLYReader, ".obj": vtkOBJReader}
+def read(path, end):
+    reader = readers[end]()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput().GetNumberOfCells()
+""", "meshio": """
+import meshio
+readers = {".vtk", ".vtu", ".msh", ".mesh", ".ply", ".obj", ".off", ".ele"}
+def read(path, end):
+    return sum(len(block.data) for block in meshio.read(path).cells)
+""", "Gmsh": """
+import gmsh
+gmsh.initialize()
+gmsh.option.setNumber("General.Terminal", 0)
+readers = {".msh", ".mesh", ".vtk", ".off", ".obj", ".ply"}
+def read(path, end):
+    gmsh.open(path)
+    return sum(len(tags) for tags in gmsh.model.mesh.getElements()[1])
+"""}
+READ = """import pathlib, sys, time
+%s
+path, end = sys.argv[1], pathlib.Path(sys.argv[1]).suffix
+if end in readers:
+    start = time.process_time()
+    count = read(path, end)
+    if count >= int(sys.argv[2]):
+        print("seconds", time.process_time() - start)"""
 
 
 def npy(path, kind, values, columns):
@@ -229,32 +267,69 @@ def held(command, arguments):
     return seconds, megabytes
 
 
-def measure(command, mesh, folder, options):
-    claim = ["--claim", "delaunay" if mesh.size == 4 else "complex"]
+@dataclasses.dataclass
+class Measured:
+    """A format: seconds and MB, how many times those of the arrays, and the seconds of other readers."""
+    name: str
+    kind: str
+    seconds: float
+    memory: float
+    times: float
+    memory_times: float
+    peers: dict
+
+
+def written(mesh, folder, only=()):
+    """(name, binary or text, arguments of check) of the mesh in each format; first the arrays."""
     forms = [("`.npy`", "binary", mesh.write_npy(folder))]
     for i, (name, kind, write) in enumerate(FORMS[mesh.size]):
-        if options.only and name.split()[0] not in options.only:
+        path = folder / ("x.1.ele" if write is None else f"mesh{i}{name.split()[0]}")
+        if only and name.split()[0] not in only or write is None and not path.exists():
             continue
-        if write is None:
-            forms.append((f"`{name}`", kind, [str(folder / "x.1.ele")]))
-            continue
-        path = folder / f"mesh{i}{name.split()[0]}"
-        path.write_bytes(write(mesh))
+        if write is not None:
+            path.write_bytes(write(mesh))
         forms.append((f"`{name}`", kind, [str(path)]))
+    return forms
+
+
+def peers_seconds(path, cells):
+    """What those of the others that are installed take, each once."""
+    found = {}
+    for name, reads in PEERS.items():
+        ended = subprocess.run(["/usr/bin/python3", "-c", READ % reads, path, str(cells)], capture_output=True, text=True)
+        words = ended.stdout.split()
+        if ended.returncode == 0 and "seconds" in words:
+            found[name] = float(words[words.index("seconds") + 1])
+    return found
+
+
+def measured(command, mesh, folder, claim, rounds, only=(), with_peers=True):
+    """The formats of a mesh, of which the first is that of the arrays."""
+    forms = written(mesh, folder, only)
     best = {}
-    for _ in range(options.rounds):
+    for _ in range(rounds):
         for i, (_, _, arguments) in enumerate(forms):
             seconds, megabytes = held(command, [*arguments, *claim])
             old = best.get(i, (math.inf, math.inf))
             best[i] = (min(old[0], seconds), min(old[1], megabytes))
-    is_met = True
+    return [Measured(name, kind, *best[i], best[i][0] / best[0][0], best[i][1] / best[0][1],
+                     peers_seconds(arguments[0], mesh.cells_count) if with_peers and i > 0 else {})
+            for i, (name, kind, arguments) in enumerate(forms)]
+
+
+def print_table(mesh, found):
     noun = "tetrahedra" if mesh.size == 4 else "triangles"
-    print(f"\n| {mesh.cells_count:,} {noun} | | seconds | × `.npy` | MB | × `.npy` |\n| --- | --- | --- | --- | --- | --- |")
-    for i, (name, kind, _) in enumerate(forms):
-        time, memory = best[i][0] / best[0][0], best[i][1] / best[0][1]
-        is_met = is_met and time <= GOALS[kind] and memory <= MEMORY
-        print(f"| {name} | {kind} | {best[i][0]:.2f} | {time:.2f} | {best[i][1]:.0f} | {memory:.2f} |", flush=True)
-    return is_met
+    print(f"\n| {mesh.cells_count:,} {noun} | | seconds | × `.npy` | MB | × `.npy` | {' | '.join(PEERS)} |\n"
+          f"| --- | --- | --- | --- | --- | --- |{' --- |' * len(PEERS)}")
+    for one in found:
+        others = " | ".join(f"{one.peers[name]:.2f}" if name in one.peers else "" for name in PEERS)
+        print(f"| {one.name} | {one.kind} | {one.seconds:.2f} | {one.times:.2f} | {one.memory:.0f} | {one.memory_times:.2f} | {others} |",
+              flush=True)
+
+
+def made(folder, points):
+    """A mesh of space and one of a surface, each with its claim."""
+    return [(tetrahedra(folder, points), ["--claim", "delaunay"]), (triangles(7 * points), ["--claim", "complex"])]
 
 
 def main():
@@ -267,8 +342,10 @@ def main():
     is_met = True
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for mesh in (tetrahedra(folder, options.points), triangles(7 * options.points)):
-            is_met = measure(options.command, mesh, folder, options) and is_met
+        for mesh, claim in made(folder, options.points):
+            found = measured(options.command, mesh, folder, claim, options.rounds, options.only or ())
+            print_table(mesh, found)
+            is_met &= all(one.times <= GOALS[one.kind] and one.memory_times <= MEMORY for one in found)
     return 0 if is_met else 1
 
 

@@ -181,6 +181,14 @@ END
       ;;
     bench) cat <<'END'
 tetgen                its own check is timed beside ours, on the meshes that it makes
+python3-dev           compiles the Python module (the file Python.h)
+python3-scipy         triangulates points, whose meshes are judged in memory
+libopenmpi-dev        compiles circumspect-mpi
+openmpi-bin           starts its ranks
+nodejs                runs the package for npm, if it was built
+python3-meshio        reads meshes beside ours
+python3-vtk9?         the same
+python3-gmsh?         the same
 END
       ;;
     *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, verified, docs, proofs, test, coverage, mutants, browser, web, wheel, rust, deb, ports, hunt, windows or bench" >&2; exit 2 ;;

@@ -34,6 +34,18 @@ double lower_sum(double a, double b) {
   return is_above ? std::nextafter(sum, -kInfinity) : sum;
 }
 
+// Bounds of the sums and differences of two coordinates, from those of the coordinates.
+void add_sums(Box& box) {
+  constexpr std::array<std::array<std::size_t, 2>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
+  for (std::size_t i = 0; i < kPairs.size(); ++i) {
+    const auto [a, b] = kPairs[i];
+    box.low[3 + 2 * i] = lower_sum(box.low[a], box.low[b]);
+    box.high[3 + 2 * i] = -lower_sum(-box.high[a], -box.high[b]);
+    box.low[4 + 2 * i] = lower_sum(box.low[a], -box.high[b]);
+    box.high[4 + 2 * i] = -lower_sum(-box.high[a], box.low[b]);
+  }
+}
+
 }  // namespace
 
 Box box_around(const Point& point) {
@@ -44,14 +56,7 @@ Box box_around(const Point& point) {
     box.low[i] = low;
     box.high[i] = high;
   }
-  constexpr std::array<std::array<std::size_t, 2>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
-  for (std::size_t i = 0; i < kPairs.size(); ++i) {
-    const auto [a, b] = kPairs[i];
-    box.low[3 + 2 * i] = lower_sum(box.low[a], box.low[b]);
-    box.high[3 + 2 * i] = -lower_sum(-box.high[a], -box.high[b]);
-    box.low[4 + 2 * i] = lower_sum(box.low[a], -box.high[b]);
-    box.high[4 + 2 * i] = -lower_sum(-box.high[a], box.low[b]);
-  }
+  add_sums(box);
   return box;
 }
 
@@ -71,18 +76,12 @@ Box box_around_all(const std::vector<Point>& points) {
 }
 
 Box cube(const Point& centre, const Rational& reach) {
-  Box box = box_around(centre);
-  for (std::size_t corner = 0; corner < (std::size_t{1} << centre.size()); ++corner) {
-    Point at = centre;
-    for (std::size_t axis = 0; axis < at.size(); ++axis) {
-      if ((corner >> axis) % 2 == 0) {
-        at[axis] -= reach;
-      } else {
-        at[axis] += reach;
-      }
-    }
-    box = box_around(box, box_around(at));
+  Box box = {};
+  for (std::size_t i = 0; i < centre.size(); ++i) {
+    box.low[i] = lower_double(centre[i] - reach);
+    box.high[i] = upper_double(centre[i] + reach);
   }
+  add_sums(box);
   return box;
 }
 

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/boxes/interval.hpp"
 #include "kernel/exact/each_once.hpp"
+#include "kernel/exact/triple.hpp"
 #include "oracle/judge/complex/adjacency.hpp"
 #include "oracle/judge/complex/by_boundary.hpp"
 #include "oracle/judge/fast/box_tree.hpp"
@@ -108,11 +110,16 @@ class BoundaryOf {
     return found;
   }
 
-  // The simplices just outside of one of these facets, each with the simplex of that facet.
+  // The simplices just outside of one of these facets, each with the simplex of that facet: they
+  // have its barycentre.
   Places just_outside(const Places& facets) const {
     if (facets.empty()) return {};
+    std::vector<Enclosed> middles;
     std::vector<fast::AxisBox> boxes;
-    for (const std::size_t facet : facets) boxes.push_back(box_of(corners(facet)));
+    for (const std::size_t facet : facets) {
+      middles.push_back(middle_of(corners(facet)));
+      boxes.push_back(box_of(middles.back()));
+    }
     const fast::BoxTree tree(boxes);
     Places found;
     for (std::size_t s = 0; s < mesh_.size(); ++s) {
@@ -123,6 +130,7 @@ class BoundaryOf {
           steps, [&](const fast::AxisBox& box) { return !box.meets(own); },
           [&](std::uint32_t one) {
             const fast::FacetId id = ids_[facets[one]];
+            if (s == id.simplex() || is_certainly_outside(mesh_.row(s), middles[one])) return true;
             const Point apex = exact(mesh_.row(id.simplex())[id.place()]);
             if (has_just_outside(exact(mesh_.row(s)), exact(corners(facets[one])), apex)) {
               found.insert(found.end(), {s, id.simplex()});
@@ -176,6 +184,54 @@ class BoundaryOf {
   }
   fast::AxisBox box_of(std::span<const Index> vertices) const {
     return fast::box_of_points<kDimension>(mesh_.coordinates, vertices);
+  }
+
+  // In the plane, the third coordinate is 0.
+  using Enclosed = Triple<Interval>;
+  Enclosed enclosed(Index v) const {
+    Enclosed point = {};
+    const auto at = coordinates(v);
+    std::transform(at.begin(), at.end(), point.begin(), exactly);
+    return point;
+  }
+  Enclosed middle_of(std::span<const Index> facet) const {
+    Enclosed middle = enclosed(facet[0]);
+    for (std::size_t i = 1; i < facet.size(); ++i) {
+      const Enclosed point = enclosed(facet[i]);
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        middle[axis] = middle[axis] + point[axis];
+      }
+    }
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      middle[axis] = middle[axis] / exactly(static_cast<double>(kDimension));
+    }
+    return middle;
+  }
+  static fast::AxisBox box_of(const Enclosed& point) {
+    fast::AxisBox box{};
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      box.low[axis] = point[axis].low;
+      box.high[axis] = point[axis].high;
+    }
+    return box;
+  }
+
+  // Is the point beyond a facet of the simplex, as far as doubles tell? In the plane the boxes are
+  // all that is asked.
+  bool is_certainly_outside(std::span<const Index> row, const Enclosed& point) const {
+    if constexpr (kDimension == 3) {
+      for (std::size_t place = 0; place < row.size(); ++place) {
+        std::array<Enclosed, 3> facet = {};
+        for (std::size_t i = 0; i < 3; ++i) facet[i] = enclosed(row[i < place ? i : i + 1]);
+        const Enclosed normal = cross_product(difference(facet[1], facet[0]),  //
+                                              difference(facet[2], facet[0]));
+        const auto side = [&](const Enclosed& of) {
+          return certain_sign(inner_product(normal, difference(of, facet[0])));
+        };
+        if (side(enclosed(row[place])) * side(point) < 0) return true;
+      }
+    }
+    return false;
   }
 
   const View& mesh_;
