@@ -127,7 +127,7 @@ Status MeshbReader::read_section(std::uint64_t code, Bytes section) {
   if (code == kDimension) return read_dimension(section);
   if (code == kVertices) return read_vertices(section);
   for (const MeditSection& one : kMeditSections) {
-    if (one.code == code) return read_elements(section, one);
+    if (one.code != 0 && one.code == code) return read_elements(section, one);
   }
   return {};
 }

@@ -57,9 +57,11 @@ std::string changed(std::string bytes, std::size_t at, std::uint64_t value) {
 
 TEST_CASE("meshb: sections of other kinds are skipped, and indices may name no vertex") {
   const std::string whole = meshb(kTetrahedron, kLittleEndian, 2);
-  const auto skipped = read_bytes(changed(whole, 144, 99));
-  REQUIRE(skipped);
-  CHECK(skipped->tetrahedra.simplices.size() == 1);
+  for (const std::uint64_t code : {99, 0}) {  // 0 is the code of no section
+    const auto skipped = read_bytes(changed(whole, 144, code));
+    REQUIRE(skipped);
+    CHECK(skipped->tetrahedra.simplices.size() == 1);
+  }
   const auto unknown = read_bytes(changed(whole, 172, 0xFFFFFFFF));
   REQUIRE(unknown);
   CHECK(unknown->tetrahedra.simplices[0] == Simplex{-1, 2, 3, 4});
