@@ -92,6 +92,33 @@ TEST_CASE("existence: Chazelle's polyhedron") {
   CHECK(is_impossible(triangulation_of(generators::chazelle(2))));
 }
 
+// Two roofs over one square, one above and one below it. The edge that would need the other diagonal
+// of the square leaves the room, so that each room has a triangulation with one diagonal alone.
+TEST_CASE("existence: two rooms that need different diagonals of the square between them") {
+  const std::vector<std::vector<Vertex>> square = {{0, 1, 2, 3}};
+  const std::vector<std::vector<Vertex>> above = {{0, 1, 4}, {1, 2, 4}, {2, 3, 5},
+                                                  {0, 3, 5}, {0, 4, 5}, {2, 4, 5}};
+  const std::vector<std::vector<Vertex>> below = {{1, 2, 6}, {2, 3, 6}, {0, 3, 7},
+                                                  {0, 1, 7}, {1, 6, 7}, {3, 6, 7}};
+  const std::vector<std::vector<Vertex>> other_diagonal = {{0, 1, 3}, {1, 2, 3}};
+  const auto made_of = [](std::initializer_list<std::vector<std::vector<Vertex>>> walls,
+                          bool has_room_below) {
+    PiecewiseLinearInput input;
+    input.points = {{-1, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {2, -1, 1}, {-2, 1, 1}};
+    if (has_room_below) {
+      input.points.push_back({1, 2, -1});
+      input.points.push_back({-1, -2, -1});
+    }
+    for (const auto& polygons : walls) {
+      for (const auto& polygon : polygons) input.polygons.push_back({{polygon}, {}});
+    }
+    return triangulation_of(input);
+  };
+  CHECK(tetrahedra(made_of({above, square}, false)) == 3);
+  CHECK(is_impossible(made_of({above, other_diagonal}, false)));
+  CHECK(is_impossible(made_of({above, square, below}, true)));
+}
+
 TEST_CASE("existence: a limit is an answer, not a guess") {
   const auto complex = assemble(generators::box(0, 1));
   CHECK(std::holds_alternative<Unknown>(any_triangulation(complex, Regions(complex), {7, 0})));
