@@ -2,8 +2,7 @@
 # Certifies the meshes of corpus/domains, and has circumspect-verified read what proves the verdict,
 # and compare it with the files:
 #   proofs/domains.sh CIRCUMSPECT CIRCUMSPECT_VERIFIED
-# A mesh of which circumspect certify says that nothing proves it (exit code 2) is named: of these
-# there is none.
+# A mesh that nothing proves (circumspect certify says so, exit code 2) is named; there is none.
 set -euo pipefail
 circumspect=$(realpath "$1")
 verified=$(realpath "$2")

@@ -92,8 +92,8 @@ TEST_CASE("existence: Chazelle's polyhedron") {
   CHECK(is_impossible(triangulation_of(generators::chazelle(2))));
 }
 
-// Two roofs over one square, one above and one below it. The edge that would need the other diagonal
-// of the square leaves the room, so that each room has a triangulation with one diagonal alone.
+// Two roofs over one square, one above and one below it. The edge that the other diagonal of the
+// square would need leaves the room, so that each room has a triangulation with one of them alone.
 TEST_CASE("existence: two rooms that need different diagonals of the square between them") {
   const std::vector<std::vector<Vertex>> square = {{0, 1, 2, 3}};
   const std::vector<std::vector<Vertex>> above = {{0, 1, 4}, {1, 2, 4}, {2, 3, 5},
