@@ -86,7 +86,7 @@ ExitCode run(const AllTriangulationsOptions& options) {
   output.begin("listing all triangulations of " + options.points);
   const auto loaded = points_to_build(options.points, options.input, output);
   if (!loaded) return output.finish();
-  if (loaded->merging) output.notes({*loaded->merging});
+  output.notes(loaded->notes);
   const PointSet& points = loaded->mesh.points;
   if (options.max_points != 0 && points.size() > options.max_points) {
     output.error(

@@ -77,7 +77,7 @@ ExitCode run(const SubdivisionOptions& options) {
   output.begin("subdividing " + options.points);
   const auto loaded = points_to_build(options.points, options.input, output);
   if (!loaded) return output.finish();
-  if (loaded->merging) output.notes({*loaded->merging});
+  output.notes(loaded->notes);
   const PolyhedralComplex complex = subdivisions().at(options.algorithm)(loaded->mesh.points);
   if (output.wants_text()) output.text(text(*loaded, complex));
   if (output.wants_json()) output.json(json(*loaded, complex));

@@ -120,6 +120,9 @@ ExitCode run(const VoronoiOptions& options) {
   output.begin("building the diagram of " + options.points);
   const auto loaded = points_to_build(options.points, options.input, output);
   if (!loaded) return output.finish();
+  if (!options.output.quiet) {  // standard output is for what reads diagrams
+    for (const std::string& note : loaded->notes) say("note: " + on_one_line(note) + "\n");
+  }
   const PointSet& sites = loaded->mesh.points;
   const bool span = sites.dimension() == static_cast<int>(sites.ambient_dimension());
   if (!span || sites.dimension() < 1) {

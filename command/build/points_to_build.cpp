@@ -11,7 +11,7 @@ std::optional<LoadedPoints> points_to_build(const std::string& path, const Input
     output.error(ExitCode::kInputFault, "points", path, loaded.error());
     return std::nullopt;
   }
-  output.notes(loaded->notes);
+  if (loaded->merging) loaded->notes.push_back(*loaded->merging);
   return std::move(*loaded);
 }
 

@@ -9,9 +9,9 @@
 
 namespace circumspect::cli {
 
-// Reads them, and says what may have been meant otherwise. Nothing if they cannot be read, which is
-// then an error of the output. That equal points were merged is left to the caller to say: where
-// the text is a file that other programs read, there is no place for it.
+// Reads them. That equal points were merged is the last of their notes. The caller prints these:
+// where its text is a file that other programs read, they have no place in it. Nothing if the
+// points cannot be read, which is then an error of the output.
 std::optional<LoadedPoints> points_to_build(const std::string& path, const InputOptions& input,
                                             Output& output);
 
