@@ -30,7 +30,8 @@ mkdir -p "$folder/sources/gmp/doc" && touch "$folder/sources/gmp/doc/Makefile.in
  make -j "$jobs" "${parts[@]}"
  make "${parts[@]}" install
  cd "$folder/sources/mpfr4"
- ./configure "${cross[@]}" --with-gmp="$folder" --enable-thread-safe
+ # Without -g, which it adds by itself: the program would tell where it was compiled.
+ ./configure "${cross[@]}" --with-gmp="$folder" --enable-thread-safe CFLAGS=-O2
  make -j "$jobs" -C src
  make -C src install) >>"$log" 2>&1
 
