@@ -261,6 +261,21 @@ bool leave_uncovered(const Case& of, const std::vector<Simplex>& missing) {
   });
 }
 
+// Where the walls of a domain are not convex, facets enclose a notch that is meant. Of a hole the
+// verdict names a face, if it names one for each violation and lists them all.
+void leave_out_notches(const Case& of, std::vector<Simplex>& missing) {
+  const std::vector<Violation>& listed = of.verdict().violations();
+  if (listed.size() < of.violations() ||
+      !std::all_of(listed.begin(), listed.end(),
+                   [](const Violation& one) { return one.witness.face.has_value(); })) {
+    return;
+  }
+  std::erase_if(missing, [&](const Simplex& simplex) {
+    return std::none_of(listed.begin(), listed.end(),
+                        [&](const Violation& one) { return has_face(simplex, *one.witness.face); });
+  });
+}
+
 // Around each of the holes of a surface three edges go.
 std::optional<Cause> missing_in_surface(Case& of) {
   const auto loops = loops_of(edges_of_holes(of));
@@ -288,6 +303,7 @@ std::optional<Cause> missing_simplices(Case& of) {
         missing.insert(missing.end(), more.begin(), more.end());
       }
     }
+    leave_out_notches(of, missing);
   }
   if (missing.empty()) return std::nullopt;
   const std::string words = words_of(static_cast<int>(of.mesh().dimension()), of.mesh(), missing);

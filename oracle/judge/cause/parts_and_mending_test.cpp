@@ -176,6 +176,21 @@ TEST_CASE("causes: what leaves something uncovered is not judged") {
   CHECK(asked == 1);
 }
 
+TEST_CASE("causes: beside a notch of the domain, a triangle is missing at a wall") {
+  const PiecewiseLinearInput input{
+      {{0, 0}, {8, 0}, {8, 8}, {4, 6}, {0, 8}}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}}, {}, {}};
+  const Domain domain{.complex = assemble(input)};
+  Lists lists{input.points, {{1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}}};
+  lists.points.push_back({4, 3});
+  const Mesh mesh = in_arrays(lists);
+  const auto judged = [&](const Mesh& one) -> std::optional<Verdict> {
+    return judge(Claim::kSteinerTriangulation, one, &domain, {}).value();
+  };
+  const auto found = causes(*judged(mesh), mesh, judged).found;
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].words == "1 triangle is missing: 0 1 5 fills the hole");
+}
+
 TEST_CASE("causes: points that no simplex uses") {
   Lists arcs = grid<2>(7);
   arcs.points.push_back({9, 9});  // as the centre of an arc
