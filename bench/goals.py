@@ -409,7 +409,7 @@ def main():
     parser.add_argument("--divide", type=int, default=1, metavar="N")
     parser.add_argument("--rounds", type=int, default=3, metavar="N")
     parser.add_argument("--web", default="build/web", metavar="FOLDER")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if not shutil.which("tetgen"):
         sys.exit("expected tetgen in PATH, found none: Debian has it in the package tetgen")
     command, table = options.build / "bin/circumspect", Table(options.rounds, options.only)

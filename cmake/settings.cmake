@@ -63,6 +63,8 @@ if(MINGW)
   # Of a function that several sources have, the linker keeps one copy. GCC takes its own for that
   # copy there, and leaves values in registers that the other one needs.
   target_compile_options(circumspect_settings INTERFACE -fno-ipa-ra)
+  # A constant that does not fit a long, which has 32 bits there, would become another number.
+  target_compile_options(circumspect_settings INTERFACE -Werror=overflow)
 endif()
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(circumspect_settings INTERFACE

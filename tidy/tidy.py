@@ -130,6 +130,7 @@ PLACE = re.compile(r"\[(?:[^\[\]]|\[\w+\])+\]|\.[xyz]\b")
 BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?(-{3,} .*-{3,}|-{8,} ?\w|─{2,} .*─{2,})")
 COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP + SCRIPTS, "//")}
 NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
+LONG = re.compile(r"\blong \w+ = (?:[0-9]'?){11,};")
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 LAYER = re.compile(r"circumspect_layer\((\w+)\s+([\w/]+)([^)]*)\)")
 NOT_CODE = re.compile(
@@ -305,6 +306,8 @@ class Tidy:
                     and path not in CGAL_FILES and not path.endswith("_cgal_test.cpp"):
                 self.fault(path, number, "number-library",
                            "only kernel/exact names GMP and MPFR; say Integer or Rational")
+            if LONG.search(line):
+                self.fault(path, number, "long", "a long has 32 bits on Windows; say std::int64_t, or Rational")
             if RANGES.search(line) and inside(path, WEB_FOLDERS) and not is_test(path):
                 self.fault(path, number, "ranges",
                            "`make web` has no algorithms of ranges; give begin() and end()")

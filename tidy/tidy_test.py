@@ -120,6 +120,10 @@ class Libraries(unittest.TestCase):
                      "x = m[i][j] * m[k][k] - m[i][k] * m[k][j];\n"]:
             self.assertEqual(rules("oracle/judge/within/a.cpp", text), [], text)
 
+    def test_a_long_has_32_bits_somewhere(self):
+        self.assertEqual(rules("kernel/exact/a.cpp", "constexpr long kMost = 1'000'000'000'000;\n"), ["long"])
+        self.assertEqual(rules("kernel/exact/a.cpp", "constexpr long kMost = 1'000'000'000;\n"), [])
+
     def test_what_runs_in_a_browser_has_no_algorithms_of_ranges(self):
         for folder in ["reference/delaunay", "oracle/judge/points", "command/check"]:
             self.assertEqual(rules(f"{folder}/a.cpp", "return std::ranges::find(a, b);\n"), ["ranges"])

@@ -28,8 +28,8 @@ constexpr std::size_t kMostUnused = 16;
 // which would take as long as the verdict did.
 constexpr std::size_t kMostMended = 50'000;
 
-// The longest edge over the least height, squared: what is thinner was hardly left out on purpose.
-constexpr long kThin = 1'000'000'000'000;
+// The longest edge over the least height: what is thinner was hardly left out on purpose.
+constexpr long kThin = 1'000'000;
 
 // Bare facets, found by their vertices.
 class BareFacets {
@@ -206,7 +206,7 @@ std::optional<Rational> squared_height_of_slivers(int dimension, const Mesh& mes
   Rational greatest = 0;
   for (const Simplex& simplex : missing) {
     const auto ratio = quality::measured(Measure::kAspectRatio, mesh, simplex, dimension);
-    if (!ratio || ratio->value < kThin) return std::nullopt;
+    if (!ratio || ratio->value < Rational(kThin) * kThin) return std::nullopt;
     const auto edge = quality::measured(Measure::kEdge, mesh, simplex, dimension);
     greatest = std::max<Rational>(greatest, edge->value / ratio->value);
   }
