@@ -22,7 +22,7 @@ SurfaceCertificate surface_certificate_of(const ExactMesh& mesh, ScaledPoints po
     const auto at = [&](std::uint32_t place) {
       return number[static_cast<std::size_t>(triangle[place % kTriangle])];
     };
-    const auto ends = std::minmax(at(edge.place + 1), at(edge.place + 2));
+    const auto ends = std::minmax({at(edge.place + 1), at(edge.place + 2)});
     return std::array<std::size_t, 3>{ends.first, ends.second, at(edge.place)};
   };
   std::vector<std::pair<std::array<std::size_t, 3>, SurfaceCertificate::Edge>> keyed;
