@@ -1,4 +1,4 @@
-// The points of which something is built that is not a mesh.
+// Points for what `build` makes that is not a mesh.
 #pragma once
 
 #include <optional>

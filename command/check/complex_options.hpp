@@ -21,7 +21,7 @@ struct ComplexOptions {
 };
 
 void add_complex_options(CLI::App& command, ComplexOptions& options);
-// One of them, of which something is proved.
+// The only one of them that certificates cover.
 void add_allow_unused_option(CLI::App& command, bool& allow_unused);
 
 // The first option that asks something of the claim `complex` alone; empty if none does.
