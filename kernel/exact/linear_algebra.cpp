@@ -97,8 +97,9 @@ Integer determinant_by_bareiss(SquareMatrix m) {
     if (!bring_up_pivot(m, pivot, negated)) return 0;
     for (std::size_t row = pivot + 1; row < n; ++row) {
       for (std::size_t column = pivot + 1; column < n; ++column) {
-        m(row, column) = exact_quotient(
-            m(row, column) * m(pivot, pivot) - m(row, pivot) * m(pivot, column), previous);
+        m(row, column) *= m(pivot, pivot);
+        subtract_product(m(row, column), m(row, pivot), m(pivot, column));
+        m(row, column) /= previous;  // without a remainder
       }
     }
     previous = m(pivot, pivot);

@@ -41,7 +41,7 @@ Integer common_denominator(std::span<const Rational> numbers, Integer of_others)
 }
 
 Integer numerator_over(const Integer& denominator, const Rational& value) {
-  return value.get_num() * exact_quotient(denominator, value.get_den());
+  return value.get_num() * Integer(denominator / value.get_den());
 }
 
 void add_product(Integer& sum, const Integer& a, const Integer& b) {
@@ -50,12 +50,6 @@ void add_product(Integer& sum, const Integer& a, const Integer& b) {
 
 void subtract_product(Integer& sum, const Integer& a, const Integer& b) {
   mpz_submul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
-}
-
-Integer exact_quotient(const Integer& dividend, const Integer& divisor) {
-  Integer result;
-  mpz_divexact(result.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
-  return result;
 }
 
 std::string number_libraries() {

@@ -62,9 +62,6 @@ Integer numerator_over(const Integer& denominator, const Rational& value);
 void add_product(Integer& sum, const Integer& a, const Integer& b);
 void subtract_product(Integer& sum, const Integer& a, const Integer& b);
 
-// Quotient of a division that is known to leave no remainder.
-Integer exact_quotient(const Integer& dividend, const Integer& divisor);
-
 // The number libraries in use, with their versions: "GMP 6.2.1, MPFR 4.2.0".
 std::string number_libraries();
 

@@ -61,9 +61,13 @@ std::size_t longest_axis(const Point& a) {
 
 Point barycentre(const std::vector<Point>& points) {
   assert(!points.empty());
-  Point sum = points.front();
-  for (std::size_t i = 1; i < points.size(); ++i) sum = sum + points[i];
-  return Rational(1, to_integer(points.size())) * sum;
+  Point sum(points.front().size());
+  Integer count = 0;
+  for (const Point& point : points) {
+    sum = sum + point;
+    ++count;
+  }
+  return Rational(1, count) * sum;
 }
 
 namespace {

@@ -33,7 +33,7 @@ void divide_out(const Integer& denominator, ScaledPoints& scaled) {
   }
   scaled.scale_denominator = denominator;
   if (common <= 1) return;
-  for (Integer& x : scaled.coordinates) x = exact_quotient(x, common);
+  for (Integer& x : scaled.coordinates) x /= common;
   scaled.scale_numerator = common;
 }
 
@@ -137,8 +137,8 @@ HomogeneousPoint in_lowest_terms(HomogeneousPoint point) {
   Integer factor = point.denominator;
   for (const Integer& x : point.numerators) factor = gcd(factor, x);
   if (factor == 1) return point;
-  for (Integer& x : point.numerators) x = exact_quotient(x, factor);
-  point.denominator = exact_quotient(point.denominator, factor);
+  for (Integer& x : point.numerators) x /= factor;
+  point.denominator /= factor;
   return point;
 }
 

@@ -37,7 +37,9 @@ Integer binomial(std::uint64_t n, std::uint64_t m) {
   if (m > n) return 0;
   Integer result = 1;
   for (std::uint64_t i = 1; i <= m; ++i) {
-    result = exact_quotient(result * to_integer(n - m + i), to_integer(i));
+    result *= to_integer(n - m + i);
+    result /=
+        to_integer(i);  // without a remainder: i numbers that follow each other are its factors
   }
   return result;
 }
