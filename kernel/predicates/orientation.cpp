@@ -60,6 +60,13 @@ int side_of_facet(const Configuration& points, std::span<const Vertex> facet, Ve
   return side_of_facet(points, points.axes(), facet, q);
 }
 
+int orientation_with(const Configuration& points, std::span<const std::size_t> axes,
+                     std::span<const Vertex> simplex, std::size_t place, Vertex q) {
+  std::vector<Vertex> replaced(simplex.begin(), simplex.end());
+  replaced[place] = q;
+  return orientation(points, axes, replaced);
+}
+
 std::vector<std::size_t> axes_of(const Configuration& points, std::span<const Vertex> simplex) {
   std::vector<Point> vertices;
   for (const Vertex v : simplex) {

@@ -37,6 +37,10 @@ int side_of_facet(const Configuration& points, std::span<const std::size_t> axes
 // Within the affine hull of all points.
 int side_of_facet(const Configuration& points, std::span<const Vertex> facet, Vertex q);
 
+// The orientation of the simplex with q in the stead of the vertex at `place`.
+int orientation_with(const Configuration& points, std::span<const std::size_t> axes,
+                     std::span<const Vertex> simplex, std::size_t place, Vertex q);
+
 // The determinant itself, in the points' own coordinates: k! times the signed volume of the simplex
 // projected on the axes. Requires: as for orientation.
 Rational orientation_determinant(const Configuration& points, std::span<const std::size_t> axes,

@@ -14,14 +14,6 @@ bool has(std::span<const Vertex> simplex, Vertex v) {
   return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
 }
 
-// The orientation of the simplex with v in the stead of the vertex at `place`.
-int orientation_with(const Configuration& points, std::span<const std::size_t> axes,
-                     std::span<const Vertex> simplex, std::size_t place, Vertex v) {
-  std::vector<Vertex> replaced(simplex.begin(), simplex.end());
-  replaced[place] = v;
-  return orientation(points, axes, replaced);
-}
-
 // Does v have no barycentric sign below `lowest`? Most simplices are not around v: the first such
 // sign answers.
 bool has_no_sign_below(int lowest, const Configuration& points, std::span<const std::size_t> axes,
