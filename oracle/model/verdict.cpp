@@ -1,9 +1,6 @@
 #include "oracle/model/verdict.hpp"
 
 #include <algorithm>
-#include <iterator>
-
-#include "kernel/exact/each_once.hpp"
 
 namespace circumspect {
 namespace {
@@ -15,7 +12,6 @@ void rename(const std::vector<Vertex>& places, Simplex& vertices) {
   }
 }
 
-// Ascending, each once.
 Simplex named_by(const Witness& witness) {
   Simplex all = witness.vertices;
   for (const Simplex& simplex : witness.simplices) {
@@ -51,20 +47,18 @@ void Verdict::name_in_whole(const std::vector<Vertex>& vertex_of,
       witness.nearest->vertex = vertex_of[static_cast<std::size_t>(witness.nearest->vertex)];
     }
   }
-  for (auto& [rule, tally] : tallies_) rename(vertex_of, tally.in_all);
+  for (auto& [rule, tally] : tallies_) {
+    Simplex in_all(tally.in_all.begin(), tally.in_all.end());
+    rename(vertex_of, in_all);
+    tally.in_all = {in_all.begin(), in_all.end()};
+  }
 }
 
 void Verdict::count(Rule rule, const std::optional<Rational>& margin, Simplex named) {
-  keep_each_once(named);
   Tally& tally = tallies_[rule];
-  if (tally.count == 0) {
-    tally.in_all = named;
-  } else if (!tally.in_all.empty()) {
-    Simplex both;
-    std::set_intersection(tally.in_all.begin(), tally.in_all.end(), named.begin(), named.end(),
-                          std::back_inserter(both));
-    tally.in_all = std::move(both);
-  }
+  if (tally.count == 0) tally.in_all = {named.begin(), named.end()};
+  std::erase_if(tally.in_all,
+                [&](Vertex v) { return std::find(named.begin(), named.end(), v) == named.end(); });
   ++tally.count;
   if (!margin) return;
   if (!tally.worst_margin || *tally.worst_margin < *margin) tally.worst_margin = margin;

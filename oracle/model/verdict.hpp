@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,8 +87,8 @@ struct Violation {
 struct Tally {
   std::size_t count = 0;
   std::optional<Rational> worst_margin = {};
-  // The vertices that every one of them names, ascending; none if one came without a witness.
-  Simplex in_all = {};
+  // The vertices that every one of them names; none if one came without a witness.
+  std::set<Vertex> in_all = {};
 };
 
 // What may be all that is wrong, found after the judgement (oracle/judge/cause) and checked: one
