@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/options.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::corpus {
 

@@ -12,6 +12,7 @@
 #include "corpus/expected_table.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"

@@ -8,8 +8,8 @@
 #include <circumspect/check.hpp>
 
 #include "oracle/judge/fast/judge.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/mutations/catalogue.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"

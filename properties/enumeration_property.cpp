@@ -7,7 +7,7 @@
 
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"

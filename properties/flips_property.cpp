@@ -10,7 +10,7 @@
 #include "kernel/predicates/perturbation.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"
 #include "properties/arguments/run.hpp"

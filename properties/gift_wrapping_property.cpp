@@ -4,7 +4,7 @@
 
 #include "kernel/complex/circumball.hpp"
 #include "kernel/complex/point_set.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/verdict.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"

@@ -7,7 +7,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"

@@ -22,7 +22,7 @@
 #include "construct/delaunay.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/tetgen.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/genericity.hpp"

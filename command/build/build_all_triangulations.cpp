@@ -10,7 +10,7 @@
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"

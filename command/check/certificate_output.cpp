@@ -14,7 +14,7 @@
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/periodic_certificate.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"

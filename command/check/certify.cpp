@@ -26,7 +26,8 @@
 #include "oracle/formats/plane.hpp"
 #include "oracle/formats/read_domain.hpp"
 #include "oracle/judge/default_claim.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/model/options.hpp"
+#include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 

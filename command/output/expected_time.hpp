@@ -7,8 +7,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::cli {
 

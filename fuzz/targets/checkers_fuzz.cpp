@@ -3,7 +3,7 @@
 // mesh in up to three ways, then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::fuzz {

@@ -5,7 +5,7 @@
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 
 namespace circumspect::certificate {
 namespace {

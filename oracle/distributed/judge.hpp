@@ -9,8 +9,8 @@
 #include "oracle/distributed/conditions.hpp"
 #include "oracle/distributed/local_mesh.hpp"
 #include "oracle/distributed/ranks.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::distributed {

@@ -15,7 +15,7 @@
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "properties/arguments/run.hpp"

@@ -10,7 +10,6 @@
 #include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/ridges_retold.hpp"
 #include "oracle/model/mesh.hpp"

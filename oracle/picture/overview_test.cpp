@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "oracle/picture/picture.hpp"
 
 namespace circumspect::picture {

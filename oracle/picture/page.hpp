@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "oracle/judge/points/cells.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"

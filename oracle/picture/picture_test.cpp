@@ -10,7 +10,7 @@
 #include "kernel/complex/circumball.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/vtu.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 
 namespace circumspect::picture {
 

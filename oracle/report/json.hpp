@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/complex/circumball.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::report {

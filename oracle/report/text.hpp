@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "kernel/exact/number.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::report {

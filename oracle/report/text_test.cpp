@@ -6,7 +6,7 @@
 #include "kernel/exact/number.hpp"
 #include "kernel/exact/number_text.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "oracle/report/json.hpp"
 
 namespace circumspect::report {

@@ -6,7 +6,8 @@
 #include "oracle/judge/convex_hull/judge_convex_hull.hpp"
 #include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
+#include "oracle/judge/points/triangulation.hpp"
 #include "oracle/judge/surface/judge_surface.hpp"
 
 namespace circumspect::check {

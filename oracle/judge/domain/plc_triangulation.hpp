@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "oracle/judge/domain/meshed_domain.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {

@@ -11,8 +11,8 @@
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {

@@ -36,7 +36,7 @@ struct FaultyRidge {
 };
 
 // Anything that is not listed is in order. If a stage finds faults, later stages are skipped, and
-// their lists are empty; oracle/judge/points/check.cpp has the order of the stages. Lists of
+// their lists are empty; oracle/judge/points/delaunay.cpp has the order of the stages. Lists of
 // simplices and points ascend.
 struct Faults {
   std::size_t sound_simplex = 0;  // one that is not flat

@@ -8,9 +8,9 @@
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/definition/periodic_delaunay.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
+#include "oracle/judge/points/triangulation.hpp"
 #include "oracle/model/periodic_facets.hpp"
 #include "oracle/model/witnesses.hpp"
 

@@ -1,8 +1,11 @@
 #include "oracle/judge/points/delaunay.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include "kernel/boxes/point_search.hpp"
 #include "kernel/complex/by_facet.hpp"
@@ -46,20 +49,19 @@ std::optional<Vertex> submerged_vertex(const PointSet& points, const Simplex& si
 void add_facet(const ExactMesh& mesh, const SharedFacet& shared, Verdict& verdict) {
   const Simplex& simplex = mesh.simplices[shared.simplex];
   const Vertex apex = shared.apex;
-  const auto submerged = submerged_vertex(mesh.points, simplex, apex);
-  if (!submerged) {
-    add_vertex_in_ball(mesh.points, Rule::kFacetNotLocal, simplex, shared.facet, apex, verdict);
+  if (const auto submerged = submerged_vertex(mesh.points, simplex, apex)) {
+    Simplex around = simplex;
+    for (Vertex& v : around) v = v == *submerged ? apex : v;
+    const Ball ball = circumball(mesh.points, around);
+    verdict.add(Rule::kVertexSubmerged,
+                {.simplices = {around},
+                 .vertices = {*submerged},
+                 .values = {{"height of the lifted vertex above the witness plane",
+                             power(mesh.points, ball, *submerged)}},
+                 .ball = ball});
     return;
   }
-  Simplex around = simplex;
-  for (Vertex& v : around) v = v == *submerged ? apex : v;
-  const Ball ball = circumball(mesh.points, around);
-  verdict.add(Rule::kVertexSubmerged,
-              {.simplices = {around},
-               .vertices = {*submerged},
-               .values = {{"height of the lifted vertex above the witness plane",
-                           power(mesh.points, ball, *submerged)}},
-               .ball = ball});
+  add_vertex_in_ball(mesh.points, Rule::kFacetNotLocal, simplex, shared.facet, apex, verdict);
 }
 
 }  // namespace
@@ -193,6 +195,42 @@ std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<Fa
     judge_submerged_point(mesh, unused[i], simplex, verdict, ambiguity);
   }
   return search.work();
+}
+
+Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options) {
+  const bool is_weighted = claim == Claim::kWeightedDelaunay;
+  assert(is_weighted || claim == Claim::kTriangulation ||
+         (claim == Claim::kDelaunay && !mesh.points.is_weighted()));
+  assert(options.by == By::kLemma);
+  Verdict verdict(claim, mesh, options.max_violations);
+  const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
+  // Weighted points need not be vertices. A mesh without simplices leaves every point uncovered.
+  if (!is_weighted || mesh.simplices.empty()) judge_vertex_set(mesh, verdict);
+  if (!simplices_are_sound) return verdict;
+  const std::vector<FacetUse> uses = facet_uses(mesh.simplices);
+  if (!judge_complex_by_lemma(mesh, uses, verdict)) return verdict;
+  if (mesh.neighbors) judge_neighbors(mesh, uses, verdict);
+  if (claim == Claim::kTriangulation) return verdict;
+  const bool is_triangulation = verdict.holds();
+  Ambiguity ambiguity;
+  judge_facets_locally_delaunay(mesh, uses, verdict, ambiguity);
+  if (is_weighted && is_triangulation) judge_submerged_points(mesh, uses, verdict, ambiguity);
+  ambiguity.conclude(verdict);
+  return verdict;
+}
+
+Verdict not_locally_delaunay(Claim claim, const ExactMesh& mesh, std::vector<SharedFacet> facets,
+                             const Options& options) {
+  assert(claim == Claim::kDelaunay || claim == Claim::kWeightedDelaunay);
+  assert(!facets.empty());
+  std::sort(facets.begin(), facets.end(),
+            [](const SharedFacet& a, const SharedFacet& b) { return a.facet < b.facet; });
+  Verdict verdict(claim, mesh, options.max_violations);
+  for (const SharedFacet& shared : facets) {
+    if (judge_facet_locally_delaunay(mesh, shared, verdict) > 0) continue;
+    throw std::logic_error("a facet was taken for one that is not locally Delaunay, and is");
+  }
+  return verdict;
 }
 
 }  // namespace circumspect::check

@@ -1,4 +1,5 @@
-// Is every simplex Delaunay, or weighted Delaunay? Are the points that are not vertices submerged?
+// Judges claims about a mesh of points, by lemma: is it a triangulation, is every simplex Delaunay,
+// or weighted Delaunay, and are the points that are not vertices submerged?
 // Book: Definition 4.1, Lemma 4.1 (the Delaunay Lemma), Sections 2.8 and 5.2 (weights).
 #pragma once
 
@@ -9,9 +10,21 @@
 
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
+
+// Does the claim hold?
+// `triangulation`: a simplicial complex whose vertices are the points and whose union is their
+// convex hull; weights play no part. Book: Definition 2.1, Section 4.1.
+// `delaunay`: the same, and every simplex is Delaunay. Book: Definition 4.1, Lemma 4.1.
+// `weighted-delaunay`: a triangulation of some of the points, whose union is the convex hull of
+// all, such that no lifted point lies strictly below the witness plane of a simplex. Points on the
+// lower hull that are not extreme may be vertices or not. Where all weights are equal, it is the
+// claim `delaunay`. Book: Section 5.2.
+// Requires: one of these claims, by lemma; no weights for `delaunay`.
+Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options = {});
 
 // What empty balls imply about other Delaunay triangulations of the same points.
 
@@ -72,5 +85,14 @@ std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<Fa
 // The same for one point, given the simplex that contains it, or that there is none.
 void judge_submerged_point(const ExactMesh& mesh, Vertex q, std::optional<std::size_t> place,
                            Verdict& verdict, Ambiguity& ambiguity);
+
+// The verdict that one of the two claims about balls does not hold, given that the mesh is a
+// triangulation of its points and which facets are not locally Delaunay. It is what judge_points()
+// says, but looks only at these facets, which may come in any order. `mesh` may be a part of that
+// mesh, if the simplices of the facets are in it, and the numbering of points and simplices is in
+// the same order. Throws std::logic_error if one of the facets is locally Delaunay. Requires: at
+// least one facet, and each facet once.
+Verdict not_locally_delaunay(Claim claim, const ExactMesh& mesh, std::vector<SharedFacet> facets,
+                             const Options& options = {});
 
 }  // namespace circumspect::check

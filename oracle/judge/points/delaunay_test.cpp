@@ -8,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
 
 namespace circumspect::check {
 

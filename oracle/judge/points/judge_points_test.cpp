@@ -1,11 +1,10 @@
 // The claims on small and flat sets, neighbours, and how violations are kept and counted.
-#include "oracle/judge/points/check.hpp"
-
 #include <algorithm>
 
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/judge_exactly.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 
 namespace circumspect::check {
 namespace {

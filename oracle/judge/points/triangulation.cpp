@@ -12,6 +12,7 @@
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/judge/conditions/conditions.hpp"
+#include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/witnesses.hpp"
 
 namespace circumspect::check {
@@ -244,6 +245,21 @@ void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simple
   // Names the true neighbour by its vertices, so that the reader need not count simplices.
   if (across != nullptr) witness.simplices.push_back(*across);
   verdict.add(Rule::kWrongNeighbor, witness);
+}
+
+void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict) {
+  Verdict beside(verdict.claim(), mesh, 0);
+  const bool was_compared = verdict.tallies().count(Rule::kWrongDimension) == 0 &&
+                            judge_simplices(mesh, options.oriented, beside);
+  if (!was_compared) return;
+  if (mesh.neighbors && verdict.tallies().count(Rule::kOverlap) == 0) {
+    judge_neighbors(mesh, facet_uses(mesh.simplices), beside);
+  }
+  for (const Violation& violation : beside.violations()) {
+    verdict.add(violation.rule, violation.witness);
+    verdict.unique.reset();
+    verdict.canonical.reset();
+  }
 }
 
 }  // namespace circumspect::check

@@ -7,6 +7,7 @@
 
 #include "kernel/complex/simplex.hpp"
 #include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/options.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -63,5 +64,9 @@ void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, V
 // listed one. `listed`, `expected`: the indices as the program counts them.
 void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
                         Vertex listed, Vertex expected, Verdict& verdict);
+
+// Further demands on a mesh that was judged by definition: that all simplices are listed with the
+// same orientation, and that the listed neighbours are the true ones.
+void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -9,7 +9,7 @@
 
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 
 namespace circumspect::check {
 namespace {

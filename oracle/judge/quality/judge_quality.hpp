@@ -4,9 +4,10 @@
 
 #include <string>
 
-#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/options.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
