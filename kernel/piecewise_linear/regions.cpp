@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/linear_algebra.hpp"
@@ -114,9 +113,8 @@ class Joining {
         apexes.push_back(apex);
       }
     }
-    std::sort(apexes.begin(), apexes.end(), [](const Apex& a, const Apex& b) {
-      return std::tie(a.ridge, a.wall) < std::tie(b.ridge, b.wall);
-    });
+    std::stable_sort(apexes.begin(), apexes.end(),
+                     [](const Apex& a, const Apex& b) { return a.ridge < b.ridge; });
     for (auto first = apexes.begin(); first != apexes.end();) {
       const auto end =
           std::find_if(first, apexes.end(), [&](const Apex& a) { return a.ridge != first->ridge; });
