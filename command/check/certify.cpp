@@ -110,7 +110,7 @@ void certify(const CertifyOptions& options, Output& output) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
     return;
   }
-  const Claim claim = options.asked.value_or(check::default_claim(loaded->mesh, about));
+  const Claim claim = options.asked ? *options.asked : check::default_claim(loaded->mesh, about);
   check::Options judging = {.by = options.by, .threads = threads};
   judging.complex.allow_unused = options.allow_unused;
   if (claim == Claim::kPeriodicDelaunay) fault = unfold(*loaded, options.lattice, options.box);

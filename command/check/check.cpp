@@ -223,8 +223,9 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   }
   if (misses_measures(path, mesh, options, &domain.domain, output)) return;
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
-  const Claim claim = options.claim.value_or(
-      check::default_claim(mesh, &domain.domain, options.within.has_value()));
+  const Claim claim = options.claim
+                          ? *options.claim
+                          : check::default_claim(mesh, &domain.domain, options.within.has_value());
   auto verdict = judged_against(path, claim, *loaded, against, options, output);
   if (!verdict) return;
   check::Causes causes = check::causes(*verdict, mesh, [&](const Mesh& mended) {

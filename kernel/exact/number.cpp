@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 
 #include <gmp.h>
 #include <mpfr.h>
@@ -15,8 +16,23 @@ Rational exact_value(double value) {
   return Rational(value);  // GMP documents this conversion as exact.
 }
 
+namespace {
+
+// Is it surely a double, since it has few bits over a power of two, and is far from the least? Says
+// so of most that are one, and makes no number.
+bool is_surely_double(const Rational& value) {
+  constexpr std::size_t kBits = std::numeric_limits<double>::digits;
+  constexpr std::size_t kFarthest = 900;
+  const std::size_t exponent = mpz_scan1(value.get_den().get_mpz_t(), 0);
+  return bit_length(value.get_num()) <= kBits && exponent <= kFarthest &&
+         bit_length(value.get_den()) == exponent + 1;
+}
+
+}  // namespace
+
 std::optional<double> as_double(const Rational& value) {
   const double nearest = value.get_d();
+  if (is_surely_double(value)) return nearest;
   if (!std::isfinite(nearest) || exact_value(nearest) != value) return std::nullopt;
   return nearest;
 }

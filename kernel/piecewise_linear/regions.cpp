@@ -1,13 +1,13 @@
 #include "kernel/piecewise_linear/regions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <functional>
 #include <map>
 #include <numeric>
 #include <optional>
 
-#include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
@@ -96,25 +96,44 @@ Point bend(const Point& from, const Point& to, int t) {
 class Joining {
  public:
   Joining(const PointSet& points, const WallSet& walls)
-      : points_(points), walls_(walls), sides_(2 * walls.size()) {
+      : points_(points), walls_(walls), sides_(2 * walls.size()), first_at_(points.size(), kNone) {
     axes_.resize(points.ambient_dimension());
     std::iota(axes_.begin(), axes_.end(), std::size_t{0});
   }
 
   void around_ridges() {
-    for (const auto uses : ByFacet(facet_uses(walls_.simplices()))) around_ridge(uses);
+    std::vector<Apex> apexes;
+    apexes.reserve(walls_.size() * axes_.size());
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+      for (std::size_t place = 0; place < axes_.size(); ++place) {
+        Apex apex = {{-1, -1}, i, place};
+        for (std::size_t j = 0; j + 1 < axes_.size(); ++j) {
+          apex.ridge[j] = wall(i)[j < place ? j : j + 1];
+        }
+        apexes.push_back(apex);
+      }
+    }
+    std::stable_sort(apexes.begin(), apexes.end(),
+                     [](const Apex& a, const Apex& b) { return a.ridge < b.ridge; });
+    for (auto first = apexes.begin(); first != apexes.end();) {
+      const auto end =
+          std::find_if(first, apexes.end(), [&](const Apex& a) { return a.ridge != first->ridge; });
+      around_ridge({first, end});
+      first = end;
+    }
   }
 
   void around_corners() {
-    std::map<Vertex, std::vector<std::size_t>> stars;
+    std::vector<std::vector<std::size_t>> stars(points_.size());
     for (std::size_t i = 0; i < walls_.size(); ++i) {
-      for (const Vertex v : wall(i)) stars[v].push_back(i);
+      for (const Vertex v : wall(i)) stars[static_cast<std::size_t>(v)].push_back(i);
     }
-    for (const auto& [v, star] : stars) {
-      const auto crossings_of = [&, x = v, &at_x = star](const Point& from, const Point& to) {
-        return walls_.cone_crossings(x, at_x, from, to);
+    for (std::size_t v = 0; v < stars.size(); ++v) {
+      const auto x = static_cast<Vertex>(v);
+      const auto crossings_of = [&](const Point& from, const Point& to) {
+        return walls_.cone_crossings(x, stars[v], from, to);
       };
-      join_one_by_one(one_of_each_component(star, v), crossings_of);
+      join_one_by_one(one_of_each_component(stars[v], x), crossings_of);
     }
   }
 
@@ -138,67 +157,84 @@ class Joining {
  private:
   const Simplex& wall(std::size_t i) const { return walls_.simplices()[i]; }
 
-  // The side of a wall towards which it turns about the ridge, positively or negatively.
-  std::size_t side_towards(std::size_t place, Simplex ridge, Vertex apex, bool positive) const {
-    ridge.push_back(apex);
-    return 2 * place + (OrientedFacet::of(ridge).reversed == positive ? 1 : 0);
+  // A wall at a ridge, which lacks the vertex at one of its places.
+  struct Apex {
+    std::array<Vertex, 2> ridge;  // ascending; in the plane one vertex, and −1
+    std::size_t wall;
+    std::size_t place;
+  };
+  Vertex vertex_at(const Apex& apex) const { return wall(apex.wall)[apex.place]; }
+
+  // The side of a wall towards which it turns about the ridge, positively or negatively. Moving the
+  // apex behind the ridge takes one transposition for each vertex after it.
+  std::size_t side_towards(const Apex& apex, bool positive) const {
+    const bool is_odd = (wall(apex.wall).size() - 1 - apex.place) % 2 == 1;
+    return 2 * apex.wall + (is_odd == positive ? 1 : 0);
   }
 
-  void around_ridge(std::span<const FacetUse> uses) {
-    const Simplex& ridge = uses.front().facet;
-    const auto apex = [&](const FacetUse& use) { return wall(use.simplex)[use.opposite]; };
-    const auto turn = [&](Vertex a, Vertex b) {
-      Simplex simplex = ridge;
-      simplex.insert(simplex.end(), {a, b});
+  void around_ridge(std::span<const Apex> apexes) {
+    if (apexes.size() <= 2) {  // each is next to the other
+      join_in_turn(apexes);
+      return;
+    }
+    const auto turn = [&](const Apex& a, const Apex& b) {
+      const auto& ridge = a.ridge;
+      Simplex simplex(ridge.begin(), ridge.begin() + static_cast<std::ptrdiff_t>(axes_.size() - 1));
+      simplex.insert(simplex.end(), {vertex_at(a), vertex_at(b)});
       return orientation(points_.configuration(), axes_, simplex);
     };
     // At most half a turn from the first wall, or more? Two walls that meet only in the ridge are
-    // in one hyperplane only if they are half a turn apart. If there are two walls, each is next to
-    // the other.
-    const Vertex first = apex(uses.front());
-    const bool is_ordered = uses.size() <= 2;
-    std::vector<std::pair<int, FacetUse>> order;
-    for (const FacetUse& use : uses) {
-      const bool is_first = &use == &uses.front();
-      const int side = is_first || is_ordered ? 0 : turn(first, apex(use));
-      order.emplace_back(is_first ? 0 : side > 0 ? 1 : side == 0 ? 2 : 3, use);
+    // in one hyperplane only if they are half a turn apart.
+    std::vector<std::pair<int, Apex>> order;
+    for (const Apex& apex : apexes) {
+      const bool is_first = &apex == &apexes.front();
+      const int side = is_first ? 0 : turn(apexes.front(), apex);
+      order.emplace_back(is_first ? 0 : side > 0 ? 1 : side == 0 ? 2 : 3, apex);
     }
     std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
       if (a.first != b.first) return a.first < b.first;
-      return a.second.simplex != b.second.simplex && turn(apex(a.second), apex(b.second)) > 0;
+      return a.second.wall != b.second.wall && turn(a.second, b.second) > 0;
     });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const FacetUse& use = order[i].second;
-      const FacetUse& next = order[(i + 1) % order.size()].second;
-      sides_.unite(side_towards(use.simplex, ridge, apex(use), true),
-                   side_towards(next.simplex, ridge, apex(next), false));
+    std::vector<Apex> in_turn;
+    for (const auto& [half, apex] : order) in_turn.push_back(apex);
+    join_in_turn(in_turn);
+  }
+
+  void join_in_turn(std::span<const Apex> apexes) {
+    for (std::size_t i = 0; i < apexes.size(); ++i) {
+      const Apex& next = apexes[(i + 1) % apexes.size()];
+      sides_.unite(side_towards(apexes[i], true), side_towards(next, false));
     }
   }
 
   // One of each set of walls that are connected by vertices, other than `apart`, in lexicographic
-  // order of their centres.
+  // order of their centres; none if all are connected.
   std::vector<std::size_t> one_of_each_component(const std::vector<std::size_t>& walls,
-                                                 std::optional<Vertex> apart) const {
+                                                 std::optional<Vertex> apart) {
     DisjointSets components(walls.size());
-    std::map<Vertex, std::size_t> at;
     for (std::size_t i = 0; i < walls.size(); ++i) {
       for (const Vertex v : wall(walls[i])) {
-        if (v != apart) components.unite(i, at.try_emplace(v, i).first->second);
+        if (v == apart) continue;
+        std::size_t& first = first_at_[static_cast<std::size_t>(v)];
+        if (first == kNone) first = i;
+        components.unite(i, first);
       }
     }
-    std::map<std::size_t, std::size_t> representatives;
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-      representatives.try_emplace(components.find(i), walls[i]);
+    for (const std::size_t i : walls) {
+      for (const Vertex v : wall(i)) first_at_[static_cast<std::size_t>(v)] = kNone;
     }
-    std::vector<std::pair<Point, std::size_t>> by_centre;
-    if (representatives.size() > 1) {
-      for (const auto& [set, place] : representatives) {
-        by_centre.emplace_back(walls_.centre(place), place);
-      }
-    }
-    std::sort(by_centre.begin(), by_centre.end());
+    std::vector<bool> has_one(walls.size(), false);
     std::vector<std::size_t> found;
-    for (const auto& [centre, place] : by_centre) found.push_back(place);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      const std::size_t set = components.find(i);
+      if (!has_one[set]) found.push_back(walls[i]);
+      has_one[set] = true;
+    }
+    if (found.size() <= 1) return {};
+    std::vector<std::pair<Point, std::size_t>> by_centre;
+    for (const std::size_t place : found) by_centre.emplace_back(walls_.centre(place), place);
+    std::sort(by_centre.begin(), by_centre.end());
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] = by_centre[i].second;
     return found;
   }
 
@@ -244,6 +280,8 @@ class Joining {
   const WallSet& walls_;
   std::vector<std::size_t> axes_;
   DisjointSets sides_;
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> first_at_;  // all kNone, but while one_of_each_component runs
 };
 
 WallSides wall_sides(const PointSet& points, const WallSet& walls) {

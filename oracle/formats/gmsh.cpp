@@ -40,6 +40,8 @@ class GmshReader {
   Status read_element_block(std::size_t& read);
   Result<const ElementType*> read_type();
   Status read_vertices(const ElementType& type, NumberType of_tags, Vertex label);
+  std::size_t read_stored_elements(const ElementType& type, NumberType of_tags, Vertex label,
+                                   std::size_t count);
   Status read_entities();
   Status read_entity(std::size_t dimension);
   // Goes to the numbers of a section; in binary files they begin on the next line.
@@ -97,10 +99,6 @@ Status GmshReader::read_header() {
   return expect_word("$EndMeshFormat");
 }
 
-Item one_of_all(std::string_view what, std::string_view noun, std::size_t done, std::size_t count) {
-  return {what, noun, done, count};
-}
-
 // Of one point; then its parameters, which are skipped.
 Status GmshReader::read_coordinates(std::size_t more, const Item& item) {
   Status status = text_.points(kFloat64, 1, item, file_.points.points);
@@ -138,9 +136,9 @@ Status GmshReader::read_node_block(std::size_t& read) {
 
 Status GmshReader::read_tagged_points(std::size_t count, std::size_t parameters) {
   for (std::size_t i = 0; i < count; ++i) {
-    tags_.push_back(text_.take(kInt32, one_of_all("", "node", i, count)));
+    tags_.push_back(text_.take(kInt32, Item("", "node", i, count)));
     if (text_.has_failed()) return text_.failure();
-    const Item item = one_of_all("a coordinate of ", "node", i, count);
+    const Item item("a coordinate of ", "node", i, count);
     if (Status point = read_coordinates(parameters, item); !point) return point;
   }
   return {};
@@ -148,14 +146,14 @@ Status GmshReader::read_tagged_points(std::size_t count, std::size_t parameters)
 
 Status GmshReader::read_tags_and_points(std::size_t count, std::size_t parameters) {
   for (std::size_t i = 0; i < count; ++i) {
-    tags_.push_back(text_.take(kUint64, one_of_all("", "node", i, count)));
+    tags_.push_back(text_.take(kUint64, Item("", "node", i, count)));
     if (text_.has_failed()) return text_.failure();
   }
-  const Item first = one_of_all("a coordinate of ", "node", 0, count);
+  const Item first("a coordinate of ", "node", 0, count);
   if (parameters == 0) return text_.points(kFloat64, count, first, file_.points.points);
   Status points;
   for (std::size_t i = 0; points && i < count; ++i) {
-    points = read_coordinates(parameters, one_of_all("a coordinate of ", "node", i, count));
+    points = read_coordinates(parameters, Item("a coordinate of ", "node", i, count));
   }
   return points;
 }
@@ -236,15 +234,34 @@ Status GmshReader::read_vertices(const ElementType& type, NumberType of_tags, Ve
   return {};
 }
 
+// Some binary elements, each behind its tag, at once; returns how many: 0 if something is wrong.
+std::size_t GmshReader::read_stored_elements(const ElementType& type, NumberType of_tags,
+                                             Vertex label, std::size_t count) {
+  constexpr std::size_t kAtOnce = 1 << 12;
+  const std::size_t each = 1 + type.vertices;
+  count = std::min(count, kAtOnce);
+  if (!text_.is_binary() || count * each > text_.bytes_left() / of_tags.size) return 0;
+  Indices numbers;
+  MixedText text = text_;
+  if (!text.integers(of_tags, count * each, "", numbers)) return 0;
+  vertices_.resize(type.vertices);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 1; j < each; ++j) vertices_[j - 1] = numbers[i * each + j];
+    add_element(file_, type.shape, vertices_, type.name, 0, label);
+  }
+  text_ = std::move(text);
+  return count;
+}
+
 // In text each element has its type and tags; in binary they come in blocks of one type.
 Status GmshReader::read_elements_2() {
   const Result<std::size_t> count = text_.count_in_text("the number of elements");
   if (!count) return tl::unexpected(count.error());
   go_to_numbers();
   for (std::size_t read = 0; read < *count;) {
-    const Item of_one = one_of_all("a tag of ", "element", read, *count);
+    const Item of_one("a tag of ", "element", read, *count);
     if (!text_.is_binary()) {
-      text_.take(kInt32, one_of_all("", "element", read, *count));
+      text_.take(kInt32, Item("", "element", read, *count));
       if (text_.has_failed()) return text_.failure();
     }
     const Result<const ElementType*> type = read_type();
@@ -252,7 +269,7 @@ Status GmshReader::read_elements_2() {
     Result<std::size_t> in_block = 1;
     if (text_.is_binary()) in_block = text_.count(kInt32, "the number of elements of a block");
     if (!in_block) return tl::unexpected(in_block.error());
-    const Item of_tags = one_of_all("the number of tags of ", "element", read, *count);
+    const Item of_tags("the number of tags of ", "element", read, *count);
     const Vertex tags = text_.take(kInt32, of_tags);
     if (text_.has_failed()) return text_.failure();
     if (tags < 0) return text_.fail(of_tags.words() + ", 0 or more", std::to_string(tags));
@@ -286,9 +303,11 @@ Status GmshReader::read_element_block(std::size_t& read) {
   if (!type) return tl::unexpected(type.error());
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());
+  const NumberType of_tags = is_4_0_ ? kInt32 : kUint64;
   for (std::size_t i = 0; i < *count; ++i) {
-    const NumberType of_tags = is_4_0_ ? kInt32 : kUint64;
-    text_.take(of_tags, one_of_all("", "element", i, *count));
+    i += read_stored_elements(**type, of_tags, label, *count - i);
+    if (i == *count) break;
+    text_.take(of_tags, Item("", "element", i, *count));
     if (text_.has_failed()) return text_.failure();
     if (Status vertices = read_vertices(**type, of_tags, label); !vertices) return vertices;
   }
@@ -317,7 +336,7 @@ Status GmshReader::read_elements_1() {
   const Result<std::size_t> count = text_.count_in_text("the number of elements");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
-    Status skipped = text_.skip_numbers(kInt32, 1, one_of_all("the tag of ", "element", i, *count));
+    Status skipped = text_.skip_numbers(kInt32, 1, Item("the tag of ", "element", i, *count));
     if (!skipped) return skipped;
     const Result<const ElementType*> type = read_type();
     if (!type) return tl::unexpected(type.error());

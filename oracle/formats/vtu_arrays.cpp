@@ -33,8 +33,11 @@ bool unpack_zlib(std::string_view block, std::span<char> to) {
 }  // namespace
 
 std::size_t line_at(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  text = text.substr(0, offset);
+  std::size_t line = 1;
+  // Arrays in base 64 are one long line, which `find` passes much faster than `count` does.
+  for (std::size_t at = text.find('\n'); at < text.size(); at = text.find('\n', at + 1)) ++line;
+  return line;
 }
 
 Result<std::unique_ptr<VtuDocument>> VtuDocument::parse(const Source& source,

@@ -48,12 +48,24 @@ std::size_t end_of_tag(std::string_view xml, std::size_t at) {
   return xml.size();
 }
 
+// Each part is searched for all of them while it is in the cache.
+bool has_markup(std::string_view content) {
+  constexpr std::size_t kPart = 1 << 15;
+  for (std::size_t at = 0; at < content.size(); at += kPart) {
+    const std::string_view part = content.substr(at, kPart);
+    const bool has_one = std::any_of(kMarkup.begin(), kMarkup.end(), [part](char c) {
+      return part.find(c) != std::string_view::npos;
+    });
+    if (has_one) return true;
+  }
+  return false;
+}
+
 // May this content be left out? It is large, and whatever is around it, nothing in it has a meaning
 // in XML.
 bool is_plain_and_large(std::string_view content) {
   return content.size() >= kLarge && content.find_first_not_of(" \t\r\n") < kLarge &&
-         std::none_of(kMarkup.begin(), kMarkup.end(),
-                      [content](char c) { return content.find(c) != std::string_view::npos; });
+         !has_markup(content);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/held_surface.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/not_conforming.hpp"
 #include "oracle/judge/periodic/judge_periodic.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/stray_faces.hpp"
@@ -74,9 +75,9 @@ OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options&
   });
 }
 
-// The verdict on a mesh that holds, if that is seen at once.
-std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
-                                      const fast::SimplexFacts& facts, const Options& options) {
+// The verdict on a mesh that fills the domain, if that is seen at once.
+std::optional<Verdict> judged_by_facets(Claim claim, const Mesh& mesh, const Domain& domain,
+                                        const fast::SimplexFacts& facts, const Options& options) {
   if (mesh.neighbors) return std::nullopt;
   const auto verdict = asked_of_rows<Verdict>(
       mesh, false,
@@ -85,6 +86,10 @@ std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domai
         if constexpr (kDimension == 3) {
           auto held = held_by_facets(claim, view, mesh.faces, domain, facts, options);
           if (held) return *std::move(held);
+          if (claim == Claim::kConformingDelaunay) {
+            auto failing = not_conforming(view, mesh.faces, domain, facts, options);
+            if (failing) return *std::move(failing);
+          }
         }
         return because("something to be asked of exact numbers");
       });
@@ -94,11 +99,11 @@ std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domai
 Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
                          const Options& options) {
   const auto facts = facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  std::optional<Verdict> held =
-      facts ? held_in_domain(claim, mesh, domain, *facts, options) : std::nullopt;
+  std::optional<Verdict> by_facets =
+      facts ? judged_by_facets(claim, mesh, domain, *facts, options) : std::nullopt;
   Verdict verdict =
-      held ? *std::move(held)
-           : judge_exactly(claim, exact(mesh), &domain, options, facts ? &*facts : nullptr);
+      by_facets ? *std::move(by_facets)
+                : judge_exactly(claim, exact(mesh), &domain, options, facts ? &*facts : nullptr);
   if (facts) {
     verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
   } else {

@@ -7,6 +7,7 @@
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/known_mesh.hpp"
+#include "oracle/judge/not_conforming.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
@@ -180,6 +181,34 @@ TEST_CASE("facets of two simplices are not locally Delaunay, in walls and off th
   for (Vertex v = 0; v < 3; ++v) input.polygons.push_back({{{v, 3, 4}}, {}});
   CHECK(rules(Claim::kCdt, ring, domain_of(input)).empty());
   CHECK(rules(Claim::kConformingDelaunay, ring, domain_of(input)).contains(Rule::kFacetNotLocal));
+}
+
+TEST_CASE("sheared grids fill their domains, but are not Delaunay") {
+  const ExactMesh upright = grid({0, 1, 2, 3, 4}, {0, 1, 2}, {0, 1, 2, 3}, every_cell);
+  for (const auto& [along_y, along_z] : {std::pair{0, 1}, {2, 0}, {1, -1}, {3, 5}}) {
+    std::vector<Point> points = upright.points.points();
+    for (Point& point : points) point[0] += along_y * point[1] + along_z * point[2];
+    const ExactMesh mesh{PointSet(points), upright.simplices};
+    const Domain domain = domain_of_facets(mesh, [](std::size_t uses) { return uses == 1; });
+    const Claim claim = Claim::kConformingDelaunay;
+    const auto known = facts_of(claim, mesh, domain);
+    REQUIRE(known.has_value());
+    const Mesh in_arrays = in_rows(mesh);
+    const fast::MeshView<3, std::int32_t> view{
+        std::get<Rows<double>>(in_arrays.coordinates).values(),
+        {},
+        in_arrays.simplices.rows<std::int32_t>()->values()};
+    for (const std::size_t most : {0, 1, 7}) {
+      const Options options{.max_violations = most};
+      const auto verdict = not_conforming(view, {}, domain, *known, options);
+      REQUIRE(verdict.has_value());
+      const Verdict exactly = judge_exactly(claim, mesh, &domain, options);
+      CHECK(text_of(*verdict) == text_of(exactly));
+      CHECK(text_of(judged(claim, mesh, domain, options)) == text_of(exactly));
+      CHECK(exactly.tallies().contains(Rule::kFacetNotLocal));
+      CHECK(exactly.tallies().contains(Rule::kVertexInBall));
+    }
+  }
 }
 
 TEST_CASE("a facet of one simplex, off the walls") {

@@ -23,15 +23,6 @@ void judge_shared_facet(const ExactMesh& mesh, std::span<const FacetUse> group, 
   add_vertex_in_ball(mesh.points, Rule::kFacetNotLocal, simplex, group[0].facet, apex, verdict);
 }
 
-void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, const FacetUse& use,
-                            Verdict& verdict) {
-  const Simplex& simplex = mesh.simplices[use.simplex];
-  for (const Vertex v : index.near(circumball(mesh.points, simplex))) {
-    if (contains(simplex, v) || in_ball(mesh.points.configuration(), simplex, v) <= 0) continue;
-    add_vertex_in_ball(mesh.points, Rule::kVertexInBall, simplex, use.facet, v, verdict);
-  }
-}
-
 void judge_dangling(const ExactMesh& mesh, const Simplex& simplex, const VerticesNear& near,
                     Verdict& verdict) {
   const std::vector<Vertex> against = vertices_in_every_circumball(mesh.points, simplex, near);
@@ -74,6 +65,15 @@ std::vector<bool> known_to_be_empty(const MeshedDomain& in) {
 
 }  // namespace
 
+void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, std::size_t simplex,
+                            const Simplex& facet, Verdict& verdict) {
+  const Simplex& corners = mesh.simplices[simplex];
+  for (const Vertex v : index.near(circumball(mesh.points, corners))) {
+    if (contains(corners, v) || in_ball(mesh.points.configuration(), corners, v) <= 0) continue;
+    add_vertex_in_ball(mesh.points, Rule::kVertexInBall, corners, facet, v, verdict);
+  }
+}
+
 void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                              Verdict& verdict) {
   const VertexIndex index(in.mesh.points);
@@ -87,7 +87,7 @@ void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece
     }
     if (judged[group.front().simplex]) continue;
     judged[group.front().simplex] = true;
-    judge_ball_at_boundary(in.mesh, index, group.front(), verdict);
+    judge_ball_at_boundary(in.mesh, index, group.front().simplex, group.front().facet, verdict);
   }
   const auto near = [&](const Ball& ball) { return index.near(ball); };
   for (const Simplex& simplex : dangling_simplices(in, pieces)) {

@@ -2,7 +2,10 @@
 // Delaunay triangulation").
 #pragma once
 
+#include <cstddef>
+
 #include "oracle/judge/domain/meshed_domain.hpp"
+#include "oracle/judge/domain/vertex_index.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -13,5 +16,10 @@ namespace circumspect::check {
 // boundary are small. Requires: a Steiner triangulation.
 void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                              Verdict& verdict);
+
+// The last but one of these questions alone, of a simplex with this facet on the boundary. `index`
+// is of the points of the mesh.
+void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, std::size_t simplex,
+                            const Simplex& facet, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -14,6 +14,7 @@
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
@@ -145,6 +146,26 @@ inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMes
 }
 
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
+
+// The domain whose polygons are some facets of a mesh.
+inline Domain domain_of_facets(const ExactMesh& mesh,
+                               const std::function<bool(std::size_t)>& takes) {
+  PiecewiseLinearInput input;
+  std::map<Vertex, Vertex> vertex_of;
+  for (const auto group : ByFacet(facet_uses(mesh.simplices))) {
+    if (!takes(group.size())) continue;
+    Simplex polygon = group.front().facet;
+    for (Vertex& v : polygon) {
+      const auto [found, is_new] = vertex_of.try_emplace(v, vertex_of.size());
+      if (is_new) input.points.push_back(mesh.points[v]);
+      v = found->second;
+    }
+    input.polygons.push_back({{polygon}, {}});
+  }
+  auto complex = validated(input);
+  REQUIRE(complex.has_value());
+  return {std::move(*complex)};
+}
 
 // The verdict by lemma: the same word for word whether anything is known of the simplices or not.
 inline Verdict verdict_by_lemma(Claim claim, const ExactMesh& mesh, const Domain& domain) {

@@ -207,11 +207,11 @@ class FacetsAtWalls {
     const Numbers numbers = numbers_of(complex_.points.points(), 3);
     const auto* const doubles = std::get_if<Rows<double>>(&numbers);
     if (doubles == nullptr) return false;
-    std::vector<std::array<double, 3>> sites(doubles->rows());
-    for (std::size_t v = 0; v < sites.size(); ++v) {
-      std::copy(doubles->row(v).begin(), doubles->row(v).end(), sites[v].begin());
+    sites_.resize(doubles->rows());
+    for (std::size_t v = 0; v < sites_.size(); ++v) {
+      std::copy(doubles->row(v).begin(), doubles->row(v).end(), sites_[v].begin());
     }
-    const PlaceOf vertex_at(std::move(sites));
+    const PlaceOf vertex_at(sites_);
     in_domain_.assign(mesh_.points(), -1);
     std::size_t found = 0;
     for (std::size_t v = 0; v < mesh_.points(); ++v) {
@@ -302,8 +302,7 @@ class FacetsAtWalls {
     const Simplex& corners = regions_.walls().simplices()[wall];
     std::array<fast::Site<3>, 3> sites;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Point& point = complex_.points[corners[i]];
-      for (std::size_t axis = 0; axis < 3; ++axis) sites[i].at[axis] = point[axis].get_d();
+      sites[i].at = sites_[static_cast<std::size_t>(corners[i])];
     }
     fast::Stages stages;
     const int side =
@@ -322,6 +321,7 @@ class FacetsAtWalls {
   const fast::MeshView<3, Index>& mesh_;
   const PiecewiseLinearComplex& complex_;
   Regions regions_;
+  std::vector<std::array<double, 3>> sites_;  // of the vertices of the domain
   std::vector<Vertex> in_domain_;  // the vertex of the domain that each point is, or −1
   PlaceOfCell<2> segments_;
   PlaceOfCell<3> walls_;

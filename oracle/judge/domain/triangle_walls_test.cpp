@@ -141,25 +141,6 @@ TEST_CASE("triangles that all share a vertex are too many to hold against each o
   CHECK(are_surely_a_complex(fan));
 }
 
-// The domain whose polygons are some facets of a mesh.
-Domain domain_of_facets(const ExactMesh& mesh, const std::function<bool(std::size_t)>& takes) {
-  PiecewiseLinearInput input;
-  std::map<Vertex, Vertex> vertex_of;
-  for (const auto group : ByFacet(facet_uses(mesh.simplices))) {
-    if (!takes(group.size())) continue;
-    Simplex polygon = group.front().facet;
-    for (Vertex& v : polygon) {
-      const auto [found, is_new] = vertex_of.try_emplace(v, vertex_of.size());
-      if (is_new) input.points.push_back(mesh.points[v]);
-      v = found->second;
-    }
-    input.polygons.push_back({{polygon}, {}});
-  }
-  auto complex = validated(input);
-  REQUIRE(complex.has_value());
-  return {std::move(*complex)};
-}
-
 std::optional<Verdict> held(Claim claim, const ExactMesh& exact, const Domain& domain,
                             std::size_t max_violations = 20) {
   Mesh mesh = in_rows(exact);
