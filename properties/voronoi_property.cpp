@@ -372,7 +372,8 @@ std::vector<VoronoiDiagram> with_ridge_changed(const VoronoiDiagram& diagram, st
   return changed;
 }
 
-// On a grid many sites are on one circle, so there are ridges of a single point.
+// On a grid many sites are on one circle, so there are ridges of a single point. For every other
+// seed a side of the box goes through a vertex, which is outside then.
 TEST_CASE("voronoi: at the distance 0 a ridge has the ends that it should have, and no others") {
   std::array<std::size_t, 2> seen = {};
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -380,7 +381,10 @@ TEST_CASE("voronoi: at the distance 0 a ridge has the ends that it should have, 
     std::set<Point> points;
     while (points.size() < 6) points.insert({dice.within(0L, 2L), dice.within(0L, 2L)});
     const VoronoiDiagram diagram = exact_diagram(PointSet({points.begin(), points.end()}));
-    const JudgedBox box = default_box(diagram.sites);
+    JudgedBox box = default_box(diagram.sites);
+    if (seed % 2 == 0) {
+      box.high[0] = definition::exact_structure(diagram.sites, box).vertices.rbegin()->first[0];
+    }
     const auto exact = definition::exact_structure(diagram.sites, box);
     const auto holds = [&](const VoronoiDiagram& other) {
       Verdict verdict(Claim::kVoronoi, 0);
