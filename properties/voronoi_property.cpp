@@ -28,15 +28,17 @@ namespace {
 
 using generators::Dice;
 
+// In space fewer, mostly: the definition tries all simplices of the corners of a cell.
 PointSet small_sites(Dice& dice, std::size_t d) {
   std::set<Point> points;
-  const std::size_t count = d + 1 + dice.below(d == 2 ? 6 : 3);
+  const std::size_t count = d + 1 + dice.below(d == 2 ? 6 : 1 + dice.below(3));
   while (points.size() < count) {
     Point point;
     for (std::size_t axis = 0; axis < d; ++axis) point.push_back(dice.within(0L, 5L));
     points.insert(point);
   }
-  return PointSet({points.begin(), points.end()});
+  const PointSet sites({points.begin(), points.end()});
+  return sites.dimension() < static_cast<int>(d) ? small_sites(dice, d) : sites;
 }
 
 std::set<Simplex> edges_of(const Simplex& simplex) {
@@ -232,7 +234,6 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
   CHECK(holds("by lemma as by definition", inputs, [&, d] {
     Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
     const PointSet sites = small_sites(dice, d);
-    if (sites.dimension() < static_cast<int>(d)) return;
     VoronoiDiagram diagram = exact_diagram(sites);
     const std::size_t faults = dice.below(3);
     const bool has_structure = dice.below(2) == 0;
@@ -275,17 +276,24 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
   }));
 }
 
-TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram") {
+Outcomes compare_and_meet_every_rule(std::size_t d, int inputs) {
   Outcomes seen;
-  compare(2, 600, seen);
-  compare(3, 16, seen);
-  CHECK(occurs(seen.exact, 60));
-  CHECK(occurs(seen.held, 3));
+  compare(d, inputs, seen);
+  CHECK(occurs(seen.exact, static_cast<std::size_t>(inputs) / 10));
   for (const Rule rule : {Rule::kCellDiffers, Rule::kCellMissing, Rule::kVoronoiUnknownVertex,
                           Rule::kVertexUnmatched, Rule::kRidgeMissing, Rule::kRidgeDiffers}) {
     CAPTURE(identifier(rule));
     CHECK(occurs(seen.broken[rule]));
   }
+  return seen;
+}
+
+TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram in the plane") {
+  CHECK(occurs(compare_and_meet_every_rule(2, 600).held, 3));
+}
+
+TEST_CASE("voronoi: by lemma and by definition the same is said of every diagram in space") {
+  compare_and_meet_every_rule(3, 200);
 }
 
 TEST_CASE("voronoi: no site that is far away is forgotten where it cuts a cell") {
@@ -364,7 +372,8 @@ std::vector<VoronoiDiagram> with_ridge_changed(const VoronoiDiagram& diagram, st
   return changed;
 }
 
-// On a grid many sites are on one circle, so there are ridges of a single point.
+// On a grid many sites are on one circle, so there are ridges of a single point. For every other
+// seed a side of the box goes through a vertex, which is outside then.
 TEST_CASE("voronoi: at the distance 0 a ridge has the ends that it should have, and no others") {
   std::array<std::size_t, 2> seen = {};
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -372,7 +381,10 @@ TEST_CASE("voronoi: at the distance 0 a ridge has the ends that it should have, 
     std::set<Point> points;
     while (points.size() < 6) points.insert({dice.within(0L, 2L), dice.within(0L, 2L)});
     const VoronoiDiagram diagram = exact_diagram(PointSet({points.begin(), points.end()}));
-    const JudgedBox box = default_box(diagram.sites);
+    JudgedBox box = default_box(diagram.sites);
+    if (seed % 2 == 0) {
+      box.high[0] = definition::exact_structure(diagram.sites, box).vertices.rbegin()->first[0];
+    }
     const auto exact = definition::exact_structure(diagram.sites, box);
     const auto holds = [&](const VoronoiDiagram& other) {
       Verdict verdict(Claim::kVoronoi, 0);

@@ -5,7 +5,8 @@
 
 Each rule and each breach has a page, and each page its rule. The page has its number, its sections in their order, an example
 that breaks this rule and nothing else, and a link to what stands behind it; and `circumspect rule` prints it. A property requires
-each rule of a mesh alone, of hulls, surfaces, diagrams and quality to come up.
+each rule of a mesh alone, of hulls, surfaces, diagrams and quality to come up. Meshes that a lattice repeats break rules of
+others: that of their judges requires each of these, and corpus/periodic has a mesh that breaks it.
 """
 import json
 import pathlib
@@ -28,6 +29,9 @@ OPTIONS = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
 # Of these each rule is named in a property, those of quality as the rows of measures(), one after the other.
 OF_PROPERTIES = {"complex", "hull", "surface", "voronoi", "quality"}
 PROPERTIES = [*sorted((ROOT / "properties").glob("*_property.cpp")), ROOT / "oracle" / "model" / "measure.cpp"]
+# Where the rules are named that a mesh breaks which a lattice repeats; a definition names the ball itself, where its lemma names
+# a facet.
+OF_PERIODIC = [ROOT / "oracle" / "judge" / name for name in ("periodic/judge_periodic.cpp", "points/simplices.cpp")]
 LEAST, MOST = 20, 45  # lines without what the example prints
 
 
@@ -74,6 +78,22 @@ def faults_of_property(entry, properties):
         yield f"expected a property in properties/ that requires Rule::{entry.name} to come up, found none"
 
 
+def faults_of_periodic(entries):
+    """What is wrong if no property or no mesh breaks a rule that a mesh can break which a lattice repeats."""
+    judges = "\n".join(path.read_text(encoding="utf-8") for path in OF_PERIODIC)
+    names = set(re.findall(r"Rule::(k[A-Z]\w+)", judges))
+    drawn = (ROOT / "properties" / "periodic_property.cpp").read_text(encoding="utf-8")
+    table = (ROOT / "corpus" / "periodic" / "expected.tsv").read_text(encoding="utf-8")
+    broken = {line.split("\t")[2] for line in table.splitlines()}
+    for entry in entries:
+        if entry.name not in names:
+            continue
+        if not re.search(rf"Rule::{entry.name}\b", drawn):
+            yield f"properties/periodic_property.cpp: expected Rule::{entry.name} to be required to come up"
+        if entry.identifier not in broken:
+            yield f"corpus/periodic: expected a mesh that breaks {entry.identifier}, found none"
+
+
 def run(command, words):
     return subprocess.run([command, *words], cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
 
@@ -110,6 +130,7 @@ def faults(command):
     listed = {one["rule"]: one for one in json.loads(run(command, ["rule", "--format", "json"]).stdout)["results"]}
     if set(listed) != {entry.identifier for entry in entries}:
         yield f"circumspect rule: expected the rules of {rules.RULES} and {rules.BREACHES}, found {sorted(listed)}"
+    yield from faults_of_periodic(entries)
     for path in sorted(FOLDER.glob("*")):
         if path.name not in {f"{entry.identifier}.md" for entry in entries}:
             yield f"docs/rules/{path.name}: there is no such rule"

@@ -37,7 +37,8 @@ def write(name, points, cells):
     FOLDER.mkdir(exist_ok=True)
     d = len(points[0])
     write_node(FOLDER / f"{name}.node", points, d, base=0)
-    lines = [f"{len(cells)} {d + 1} {d * (d + 1)}"]
+    corners = len(cells[0])
+    lines = [f"{len(cells)} {corners} {d * corners}"]
     lines += [" ".join(map(str, (i, *(v for v, _ in cell), *(x for _, offset in cell for x in offset)))) for i, cell in enumerate(cells)]
     (FOLDER / f"{name}.ele").write_text("\n".join(lines) + "\n")
 
@@ -63,6 +64,18 @@ def entries():
     shifted = [[(v, (x + (i == 2 and j == 0), y)) for j, (v, (x, y)) in enumerate(cell)] for i, cell in enumerate(cells)]
     write("offset-wrong", points, shifted)
     yield "offset-wrong", "a corner is in the next box", box, "complex.not-closed"
+    alone = [(0, (0, 0)), (0, (1, 0)), (0, (1, 1))]
+    for name, what, cell, verdict in [
+            ("unknown-vertex", "a corner is no point", [(0, (0, 0)), (1, (1, 0)), (0, (1, 1))], "triangulation.unknown-vertex"),
+            ("two-corners", "a cell has two corners", alone[:2], "simplex.wrong-dimension"),
+            ("corner-twice", "a corner is listed twice", [alone[0], alone[1], alone[1]], "simplex.repeated-vertex"),
+            ("flat", "a point and its copies in the next two boxes are in line", [*alone[:2], (0, (2, 0))], "simplex.degenerate")]:
+        write(name, [(0, 0)], [cell])
+        yield name, what, "--box 0,0,1,1", verdict
+    write("turned", [(0, 0)], [alone, [(0, (0, 0)), (0, (0, 1)), (0, (1, 1))]])
+    yield "turned", "two triangles of a square, of which one is turned over", "--box 0,0,1,1 --oriented", "simplex.orientation"
+    write("point-moved", [(points[0][0] + 1.5, points[0][1] + 0.5), *points[1:]], cells)
+    yield "point-moved", "a point is on the other side of its neighbours", box, "complex.overlap"
     write("cell-twice", points, [*cells, cells[4]])
     yield "cell-twice", "a triangle is listed twice", box, "complex.duplicate-simplex"
     moved = [(v, (x + 1, y - 1)) for v, (x, y) in cells[4]]

@@ -10,6 +10,7 @@
 
 #include "kernel/exact/point.hpp"
 #include "oracle/picture/caption.hpp"
+#include "oracle/picture/gap.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::picture {
@@ -31,7 +32,8 @@ class Composer {
   Composer(const Witness& witness, const Mesh& mesh, const Domain* domain)
       : witness_(witness), mesh_(mesh), domain_(domain) {}
 
-  Json compose(const Surroundings& around, const std::vector<Simplex>& boundary);
+  Json compose(const Surroundings& around, const std::vector<Simplex>& boundary,
+               const Simplex& gap);
 
  private:
   using Place = std::size_t;  // among the points
@@ -340,7 +342,8 @@ void Composer::add_thin() {
   json_["thin"] = {{"normal", unit}, {"heights", heights}};
 }
 
-Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& boundary) {
+Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& boundary,
+                       const Simplex& gap) {
   const std::size_t dimension = mesh_.dimension();
   if (dimension > 3) {
     return {
@@ -350,6 +353,8 @@ Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& b
   }
   json_ = {{"dimension", dimension}};
   add_witness();
+  if (!gap.empty()) json_["gap"] = places(gap);
+  for (const Vertex v : gap) names_[vertex(v)] = std::to_string(mesh_.label(v));
   add_cell();
   core_ = points_.size();
   if (core_ == 0 || dimension == 0) {
@@ -373,23 +378,23 @@ Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& b
   return std::move(json_);
 }
 
-}  // namespace
-
-std::vector<Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
-                           std::size_t most) {
-  const std::vector<Violation>& all = verdict.violations();
-  std::vector<Witness> witnesses;
-  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) witnesses.push_back(all[i].witness);
-  std::vector<Json> found = pictures(witnesses, mesh, domain);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    found[i]["caption"] = caption(all[i], mesh);
-    found[i]["mark"] = name(entry(all[i].rule).mark);
+// Of each witness the corners of the gap, if it is where a hull ends.
+std::vector<Simplex> gaps_of(std::span<const Violation> violations, const Mesh& mesh) {
+  std::vector<Simplex> gaps(violations.size());
+  std::vector<Simplex> bare;
+  for (std::size_t i = 0; i < violations.size(); ++i) {
+    const Witness& witness = violations[i].witness;
+    const bool has_gap = violations[i].rule == Rule::kHullUncovered && witness.face;
+    if (!has_gap || mesh.dimension() < 2 || mesh.dimension() > 3) continue;
+    if (bare.empty()) bare = boundary(mesh);
+    gaps[i] = gap_at(mesh, witness.simplices.front(), *witness.face, bare);
+    if (gaps[i].size() > kMostWalls) gaps[i].clear();
   }
-  return found;
+  return gaps;
 }
 
-std::vector<Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
-                           const Domain* domain) {
+std::vector<Json> composed(std::span<const Witness> witnesses, std::span<const Simplex> gaps,
+                           const Mesh& mesh, const Domain* domain) {
   std::vector<Json> found;
   if (witnesses.empty()) return found;
   const bool has_pictures = mesh.dimension() >= 1 && mesh.dimension() <= 3;
@@ -399,9 +404,30 @@ std::vector<Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
   const std::vector<Simplex> outer =
       has_pictures && mesh.simplices.size() <= kSmallMesh ? boundary(mesh) : std::vector<Simplex>();
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
-    found.push_back(Composer(witnesses[i], mesh, domain).compose(around[i], outer));
+    found.push_back(Composer(witnesses[i], mesh, domain).compose(around[i], outer, gaps[i]));
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
+                           std::size_t most) {
+  const std::vector<Violation>& kept = verdict.violations();
+  const std::span<const Violation> all(kept.data(), std::min(kept.size(), most));
+  std::vector<Witness> witnesses;
+  for (const Violation& violation : all) witnesses.push_back(violation.witness);
+  std::vector<Json> found = composed(witnesses, gaps_of(all, mesh), mesh, domain);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i]["caption"] = caption(all[i], mesh);
+    found[i]["mark"] = name(entry(all[i].rule).mark);
+  }
+  return found;
+}
+
+std::vector<Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
+                           const Domain* domain) {
+  return composed(witnesses, std::vector<Simplex>(witnesses.size()), mesh, domain);
 }
 
 }  // namespace circumspect::picture

@@ -28,6 +28,7 @@ namespace circumspect::picture {
 //                    no point
 //   face, vertices, point, nearest       likewise, those that there are
 //   cell             of the domain: vertex, segment, or polygon with its segments and triangles
+//   gap              the corners of the gap where a hull ends (gap.hpp)
 //   near, boundary   simplices around the witness; facets of the boundary, of small meshes
 //   walls            segments and triangles of the domain in the neighbourhood
 //   ball             radius, normal (from the centre towards the first point), surface (where that

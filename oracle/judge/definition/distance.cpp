@@ -39,29 +39,34 @@ std::optional<Rational> squared_distance_inside(const Points& a, const Points& b
   return squared_length(difference);
 }
 
-// All simplices of some points, of d dimensions or fewer.
-std::vector<Points> simplices_of(const Points& points) {
-  std::vector<Points> all;
+// Calls `visit` with the simplices of some points, of d dimensions or fewer, until it returns
+// false.
+template <class Visit>
+bool visit_simplices_of(const Points& points, const Visit& visit) {
   const std::size_t most = std::min(points.size(), points.front().size() + 1);
   for (std::size_t size = 1; size <= most; ++size) {
-    for (const Simplex& places : faces(first_subset(points.size()), size)) {
-      Points& corners = all.emplace_back();
+    Simplex places = first_subset(size);
+    do {
+      Points corners;
       for (const Vertex i : places) corners.push_back(points[static_cast<std::size_t>(i)]);
-    }
+      if (!visit(corners)) return false;
+    } while (next_subset(places, points.size()));
   }
-  return all;
+  return true;
 }
 
 }  // namespace
 
+// No distance is less than 0.
 Rational squared_distance_between(const Points& a, const Points& b) {
   std::optional<Rational> least;
-  for (const Points& of_a : simplices_of(a)) {
-    for (const Points& of_b : simplices_of(b)) {
+  visit_simplices_of(a, [&](const Points& of_a) {
+    return visit_simplices_of(b, [&](const Points& of_b) {
       const auto squared = squared_distance_inside(of_a, of_b);
       if (squared && (!least || *squared < *least)) least = squared;
-    }
-  }
+      return !least || sign(*least) > 0;
+    });
+  });
   return *least;
 }
 

@@ -21,6 +21,7 @@ bool is_in(const Halfspace& half, const Point& point) {
 
 struct Generators {
   std::set<Point> points, directions;
+  bool operator==(const Generators&) const = default;
 };
 
 Generators cut(const Generators& all, const Halfspace& half) {
@@ -175,7 +176,11 @@ std::vector<Point> listed_corners(const VoronoiDiagram& diagram, Vertex site,
     cell.points.insert(diagram.vertices[static_cast<std::size_t>(v)]);
   }
   for (const Point& direction : directions_of(diagram, site)) cell.directions.insert(direction);
-  for (const Halfspace& half : halfspaces_of(box)) cell = without_others(cut(cell, half));
+  cell = without_others(cell);
+  for (const Halfspace& half : halfspaces_of(box)) {
+    Generators kept = cut(cell, half);
+    if (kept != cell) cell = without_others(std::move(kept));
+  }
   return {cell.points.begin(), cell.points.end()};
 }
 

@@ -89,6 +89,7 @@ export class Drawing {
     }
     if (picture.point !== undefined) this.dot(picture.point, 'point', 'the point of the witness');
     for (const i of picture.dots ?? []) this.dot(i, 'corner');
+    if (picture.gap) this.gap(picture.gap);
     this.domainCell();
     this.caption = v.caption ?? picture.caption ?? '';
     MARKS[picture.mark]?.(this, v);
@@ -111,6 +112,18 @@ export class Drawing {
     at.sort((a, b) => angle(a) - angle(b));
     this.polygon(at, role, words);
     at.forEach((p, i) => this.line(p, at[(i + 1) % at.length], role, words));
+  }
+
+  // Where a hull ends: what is within its edges in space, a line in the plane.
+  gap(indices) {
+    const at = this.all(indices);
+    const words = 'the gap in the hull';
+    if (this.picture.dimension === 3) {
+      for (const triangle of ears(at)) this.polygon(triangle, 'hole', words, { hatch: true });
+    } else {
+      at.slice(1).forEach((p, i) => this.line(at[i], p, 'hole', words, { dashed: true }));
+    }
+    for (const i of indices) this.dot(i, 'corner');
   }
 
   // What lies within the edges of a polygon, which are a group of simplices.
