@@ -80,9 +80,9 @@ tl::expected<Verdict, check::NotJudged> judged_within(
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
   const auto judged = [&] {
-    return check::judge_within(claim, mesh.exact, bent != nullptr ? bent->domain : domain, squared,
-                               options, mesh.known(), bent != nullptr ? &domain : nullptr, markers,
-                               work);
+    return check::judge_within(claim, mesh.exact(), bent != nullptr ? bent->domain : domain,
+                               squared, options, mesh.beside(options),
+                               bent != nullptr ? &domain : nullptr, markers, work);
   };
   auto verdict = judged();
   // The distance also says how flat joined polygons are. It may be larger than what tells cells
@@ -171,10 +171,10 @@ class Remedies {
       : verdict_(verdict),
         judged_(judged),
         options_(options),
-        mesh_(judged.claim, judged.mesh, judged.domain.domain.complex.kind, options) {}
+        complex_(judged.domain.domain.complex) {}
 
   std::optional<std::string> note() {
-    if (may_be_joined() && share_segments_in_one_plane(judged_.domain.domain.complex)) {
+    if (may_be_joined() && share_segments_in_one_plane(complex_)) {
       joined_ = with_coplanar_joined(judged_.domain);
       if (segments(*joined_) == segments(judged_.domain)) joined_.reset();
     }
@@ -193,7 +193,7 @@ class Remedies {
   static constexpr std::size_t kWorkOfSimplex = 1;
 
   std::size_t most_work() const {
-    return kLeastWork + kWorkOfSimplex * mesh_.exact.simplices.size();
+    return kLeastWork + kWorkOfSimplex * judged_.mesh.mesh().simplices.size();
   }
 
   static std::size_t segments(const LoadedDomain& one) {
@@ -202,7 +202,7 @@ class Remedies {
 
   bool may_be_joined() const {
     return !judged_.has_merged && breaks(verdict_, Rule::kSegmentMissing) &&
-           judged_.domain.domain.complex.ambient_dimension() == 3;
+           complex_.ambient_dimension() == 3;
   }
 
   // Keeps the first note, or one about options with which the claim holds. Does it hold?
@@ -214,8 +214,8 @@ class Remedies {
 
   bool merged() {
     if (!joined_ || judged_.within) return false;
-    const Verdict merged =
-        check::judge_exactly(judged_.claim, mesh_.exact, &joined_->domain, options_, mesh_.known());
+    const Verdict merged = check::judge_exactly(judged_.claim, judged_.mesh.exact(),
+                                                &joined_->domain, options_, judged_.mesh.known());
     return mends_segments(merged) && keep(merged, merging_note(verdict_, merged));
   }
 
@@ -243,7 +243,7 @@ class Remedies {
     if (bent.squared_height == 0) return false;
     check::Work work(most_work());
     const auto moved =
-        judged_within(most, judged_.claim, mesh_, flat.domain, options_, &bent, {}, &work);
+        judged_within(most, judged_.claim, judged_.mesh, flat.domain, options_, &bent, {}, &work);
     is_unsettled_ |= work.is_too_much();
     return moved && mends_segments(*moved) &&
            keep(*moved, bending_note(verdict_, *moved, bent.squared_height));
@@ -255,8 +255,9 @@ class Remedies {
   tl::expected<Verdict, check::NotJudged> judged_at(const Distance& most,
                                                     const LoadedDomain& domain) {
     check::Work work(most_work());
-    auto verdict = judged_within(most, judged_.claim, mesh_, domain.domain, options_, nullptr,
-                                 {judged_.face_markers, domain.file.polygon_markers}, &work);
+    auto verdict =
+        judged_within(most, judged_.claim, judged_.mesh, domain.domain, options_, nullptr,
+                      {judged_.face_markers, domain.file.polygon_markers}, &work);
     is_unsettled_ |= work.is_too_much();
     return verdict;
   }
@@ -264,7 +265,7 @@ class Remedies {
   const Verdict& verdict_;
   const Judged& judged_;
   const check::Options& options_;
-  check::KnownMesh mesh_;
+  const PiecewiseLinearComplex& complex_;
   bool is_unsettled_ = false;           // was a search given up?
   std::optional<LoadedDomain> joined_;  // if that is not the domain itself
   std::optional<std::string> note_;

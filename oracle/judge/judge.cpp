@@ -7,7 +7,6 @@
 
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/failing_complex.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast_view.hpp"
@@ -74,31 +73,12 @@ OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options&
   });
 }
 
-// The verdict on a mesh that holds, if that is seen at once.
-std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
-                                      const fast::SimplexFacts& facts, const Options& options) {
-  if (mesh.neighbors) return std::nullopt;
-  const auto verdict = asked_of_rows<Verdict>(
-      mesh, false,
-      [&]<std::size_t kDimension, class Index>(
-          const fast::MeshView<kDimension, Index>& view) -> OrReason<Verdict> {
-        if constexpr (kDimension == 3) {
-          auto held = held_by_facets(claim, view, mesh.faces, domain, facts, options);
-          if (held) return *std::move(held);
-        }
-        return because("something to be asked of exact numbers");
-      });
-  return verdict ? std::optional(*verdict) : std::nullopt;
-}
-
-Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
+Verdict judged_in_domain(Claim claim, const KnownMesh& mesh, const Domain& domain,
                          const Options& options) {
-  const auto facts = facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  std::optional<Verdict> held =
-      facts ? held_in_domain(claim, mesh, domain, *facts, options) : std::nullopt;
+  const auto& facts = mesh.facts();
+  std::optional<Verdict> held = mesh.held(claim, domain, options);
   Verdict verdict =
-      held ? *std::move(held)
-           : judge_exactly(claim, exact(mesh), &domain, options, facts ? &*facts : nullptr);
+      held ? *std::move(held) : judge_exactly(claim, mesh.exact(), &domain, options, mesh.known());
   if (facts) {
     verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
   } else {
@@ -165,7 +145,10 @@ VerdictOrEqualPoints judged(Claim claim, const Mesh& mesh, const Domain* domain,
   }
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
-  if (by_lemma && domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
+  if (domain != nullptr) {
+    const KnownMesh known(claim, mesh, domain->complex.kind, options);
+    return judged_in_domain(claim, known, *domain, options);
+  }
   Verdict verdict = judge_exactly(claim, exact(mesh), domain, options);
   verdict.course.why_not_fast = is_about_list ? "a claim about a list" : "judged by definition";
   return verdict;
@@ -177,6 +160,12 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
                                          const Options& options) {
   auto verdict = judged(claim, mesh, domain, options);
   if (verdict) judge_quality(mesh, domain, 0, options, *verdict);
+  return verdict;
+}
+
+Verdict judge(Claim claim, const KnownMesh& mesh, const Domain& domain, const Options& options) {
+  Verdict verdict = judged_in_domain(claim, mesh, domain, options);
+  judge_quality(mesh.mesh(), &domain, 0, options, verdict);
   return verdict;
 }
 
