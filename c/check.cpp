@@ -32,8 +32,8 @@ Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const D
                       const check::Options& options) {
   const Rational distance = distance_of(within);
   const check::KnownMesh asked(claim, mesh, domain.complex.kind, options);
-  auto verdict =
-      check::judge_within(claim, asked.exact, domain, distance * distance, options, asked.known());
+  auto verdict = check::judge_within(claim, asked.exact(), domain, distance * distance, options,
+                                     asked.beside(options));
   if (verdict) {
     check::judge_quality(mesh, &domain, distance * distance, options, *verdict);
     return std::move(*verdict);

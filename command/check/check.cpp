@@ -171,22 +171,18 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
 }
 
 // Nothing, and said, if it is not judged. Requires: no equal points.
-std::optional<Verdict> judged_against(const std::string& path, Claim claim, LoadedMesh& loaded,
+std::optional<Verdict> judged_against(const std::string& path, Claim claim,
+                                      const check::KnownMesh& mesh,
+                                      const std::map<Simplex, Vertex>& of_triangles,
                                       const HeldAgainst& against, const CheckOptions& options,
                                       Output& output) {
   const Domain& domain = against.loaded.domain;
-  if (!options.within) {
-    auto judged = judge_loaded(claim, loaded, options.input.duplicates, options.check, &domain);
-    if (judged) return std::move(*judged);
-    output.error(ExitCode::kInputFault, "mesh", path, judged.error());
-    return std::nullopt;
-  }
-  const check::KnownMesh known(claim, loaded.mesh, domain.complex.kind, options.check);
-  auto judged = judged_within(*options.within, claim, known, domain, options.check,
+  if (!options.within) return check::judge(claim, mesh, domain, options.check);
+  auto judged = judged_within(*options.within, claim, mesh, domain, options.check,
                               against.bent ? &*against.bent : nullptr,
-                              {loaded.face_markers, against.polygon_markers()});
+                              {of_triangles, against.polygon_markers()});
   if (judged) {
-    check::judge_quality(loaded.mesh, &against.judged(), options.within->squared(domain.complex),
+    check::judge_quality(mesh.mesh(), &against.judged(), options.within->squared(domain.complex),
                          options.check, *judged);
     return std::move(*judged);
   }
@@ -226,11 +222,13 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   const Claim claim = options.claim
                           ? *options.claim
                           : check::default_claim(mesh, &domain.domain, options.within.has_value());
-  auto verdict = judged_against(path, claim, *loaded, against, options, output);
+  const check::KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
+  auto verdict = judged_against(path, claim, known, loaded->face_markers, against, options, output);
   if (!verdict) return;
-  check::Causes causes = check::causes(*verdict, mesh, [&](const Mesh& mended) {
-    return judged_again(claim, mended, against, options);
-  });
+  check::Causes causes = check::causes(
+      *verdict, mesh,
+      [&](const Mesh& mended) { return judged_again(claim, mended, against, options); },
+      known.known());
   verdict->causes = std::move(causes.found);
   Notes notes{loaded->notes, {}};
   std::optional<std::string> weaker;
@@ -238,7 +236,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   std::optional<std::string> lone;  // polygons of a bent domain are others
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const bool has_merged = options.said.merged_slope.has_value();
-  const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
+  const Judged judged{claim, known, domain, options.within, has_merged, loaded->face_markers};
   for (const auto& note :
        {remedy(*verdict, judged, options.check), lone, weaker, note_of_merging(*loaded)}) {
     if (note) notes.of_verdict.push_back(*note);

@@ -12,6 +12,8 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/within/nearly_coplanar.hpp"
+#include "oracle/judge/within/without_image.hpp"
 #include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"
 
@@ -80,9 +82,9 @@ tl::expected<Verdict, check::NotJudged> judged_within(
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
   const auto judged = [&] {
-    return check::judge_within(claim, mesh.exact, bent != nullptr ? bent->domain : domain, squared,
-                               options, mesh.known(), bent != nullptr ? &domain : nullptr, markers,
-                               work);
+    return check::judge_within(claim, mesh.exact(), bent != nullptr ? bent->domain : domain,
+                               squared, options, mesh.beside(options),
+                               bent != nullptr ? &domain : nullptr, markers, work);
   };
   auto verdict = judged();
   // The distance also says how flat joined polygons are. It may be larger than what tells cells
@@ -163,6 +165,27 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
 
 namespace {
 
+// The first cells of the domain that a verdict says are missing.
+std::vector<LinearCell> missing_cells(const Verdict& verdict, const PiecewiseLinearComplex& complex,
+                                      std::size_t most) {
+  std::vector<LinearCell> cells;
+  for (const auto& [rule, witness] : verdict.violations()) {
+    if (rule == Rule::kPolygonNotTiled && witness.polygon) cells.push_back({2, *witness.polygon});
+    if (!witness.domain_cell) continue;
+    const Simplex cell = sorted(*witness.domain_cell);
+    if (rule == Rule::kDomainVertexMissing && cell.size() == 1) {
+      cells.push_back({0, static_cast<std::size_t>(cell.front())});
+    }
+    const auto at = std::lower_bound(complex.segments.begin(), complex.segments.end(), cell);
+    if (rule == Rule::kSegmentMissing && at != complex.segments.end() && *at == cell) {
+      cells.push_back({1, static_cast<std::size_t>(at - complex.segments.begin())});
+    }
+  }
+  keep_each_once(cells);
+  cells.resize(std::min(cells.size(), most));
+  return cells;
+}
+
 // What may be all that is wrong, each with options that allow for it, is tried in turn, until the
 // claim holds.
 class Remedies {
@@ -171,10 +194,11 @@ class Remedies {
       : verdict_(verdict),
         judged_(judged),
         options_(options),
-        mesh_(judged.claim, judged.mesh, judged.domain.domain.complex.kind, options) {}
+        complex_(judged.domain.domain.complex) {}
 
   std::optional<std::string> note() {
-    if (may_be_joined() && share_segments_in_one_plane(judged_.domain.domain.complex)) {
+    if (lacks_cell()) return std::nullopt;
+    if (may_be_joined() && share_segments_in_one_plane(complex_)) {
       joined_ = with_coplanar_joined(judged_.domain);
       if (segments(*joined_) == segments(judged_.domain)) joined_.reset();
     }
@@ -191,9 +215,10 @@ class Remedies {
   // and more than half a second, the note proposes to find out.
   static constexpr std::size_t kLeastWork = 1'000'000;
   static constexpr std::size_t kWorkOfSimplex = 1;
+  static constexpr std::size_t kMostCells = 20;
 
   std::size_t most_work() const {
-    return kLeastWork + kWorkOfSimplex * mesh_.exact.simplices.size();
+    return kLeastWork + kWorkOfSimplex * judged_.mesh.mesh().simplices.size();
   }
 
   static std::size_t segments(const LoadedDomain& one) {
@@ -202,7 +227,23 @@ class Remedies {
 
   bool may_be_joined() const {
     return !judged_.has_merged && breaks(verdict_, Rule::kSegmentMissing) &&
-           judged_.domain.domain.complex.ambient_dimension() == 3;
+           complex_.ambient_dimension() == 3;
+  }
+
+  // Does the verdict name a cell that the mesh lacks with every remedy? Such a segment must not be
+  // one that goes when polygons are joined.
+  bool lacks_cell() const {
+    if (complex_.kind == DomainKind::kHull) return false;
+    const Distance most = distance(may_be_joined() ? kBentParts : kRoundedParts);
+    const check::WithoutImage without(judged_.mesh.mesh(), complex_, most.squared(complex_));
+    std::optional<check::StayingSegments> staying;
+    if (may_be_joined()) staying.emplace(complex_, kUsualSlope * kUsualSlope);
+    const std::vector<LinearCell> cells = missing_cells(verdict_, complex_, kMostCells);
+    return std::any_of(cells.begin(), cells.end(), [&](LinearCell cell) {
+      const bool stays =
+          !staying || (cell.dimension == 1 && staying->certainly(complex_.segments[cell.place]));
+      return stays && without.certainly(cell);
+    });
   }
 
   // Keeps the first note, or one about options with which the claim holds. Does it hold?
@@ -214,8 +255,8 @@ class Remedies {
 
   bool merged() {
     if (!joined_ || judged_.within) return false;
-    const Verdict merged =
-        check::judge_exactly(judged_.claim, mesh_.exact, &joined_->domain, options_, mesh_.known());
+    const Verdict merged = check::judge_exactly(judged_.claim, judged_.mesh.exact(),
+                                                &joined_->domain, options_, judged_.mesh.known());
     return mends_segments(merged) && keep(merged, merging_note(verdict_, merged));
   }
 
@@ -243,7 +284,7 @@ class Remedies {
     if (bent.squared_height == 0) return false;
     check::Work work(most_work());
     const auto moved =
-        judged_within(most, judged_.claim, mesh_, flat.domain, options_, &bent, {}, &work);
+        judged_within(most, judged_.claim, judged_.mesh, flat.domain, options_, &bent, {}, &work);
     is_unsettled_ |= work.is_too_much();
     return moved && mends_segments(*moved) &&
            keep(*moved, bending_note(verdict_, *moved, bent.squared_height));
@@ -255,8 +296,9 @@ class Remedies {
   tl::expected<Verdict, check::NotJudged> judged_at(const Distance& most,
                                                     const LoadedDomain& domain) {
     check::Work work(most_work());
-    auto verdict = judged_within(most, judged_.claim, mesh_, domain.domain, options_, nullptr,
-                                 {judged_.face_markers, domain.file.polygon_markers}, &work);
+    auto verdict =
+        judged_within(most, judged_.claim, judged_.mesh, domain.domain, options_, nullptr,
+                      {judged_.face_markers, domain.file.polygon_markers}, &work);
     is_unsettled_ |= work.is_too_much();
     return verdict;
   }
@@ -264,7 +306,7 @@ class Remedies {
   const Verdict& verdict_;
   const Judged& judged_;
   const check::Options& options_;
-  check::KnownMesh mesh_;
+  const PiecewiseLinearComplex& complex_;
   bool is_unsettled_ = false;           // was a search given up?
   std::optional<LoadedDomain> joined_;  // if that is not the domain itself
   std::optional<std::string> note_;

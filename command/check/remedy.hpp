@@ -46,7 +46,7 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict);
 // What was judged, and what the user said of it.
 struct Judged {
   Claim claim;
-  const Mesh& mesh;
+  const check::KnownMesh& mesh;
   const LoadedDomain& domain;
   const std::optional<Distance>& within;          // --within
   bool has_merged;                                // --merge-coplanar

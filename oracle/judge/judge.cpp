@@ -7,14 +7,12 @@
 
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
-#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/failing_complex.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast_view.hpp"
 #include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/held_surface.hpp"
 #include "oracle/judge/known_mesh.hpp"
-#include "oracle/judge/not_conforming.hpp"
 #include "oracle/judge/periodic/judge_periodic.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/stray_faces.hpp"
@@ -75,35 +73,15 @@ OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options&
   });
 }
 
-// The verdict on a mesh that fills the domain, if that is seen at once.
-std::optional<Verdict> judged_by_facets(Claim claim, const Mesh& mesh, const Domain& domain,
-                                        const fast::SimplexFacts& facts, const Options& options) {
-  if (mesh.neighbors) return std::nullopt;
-  const auto verdict = asked_of_rows<Verdict>(
-      mesh, false,
-      [&]<std::size_t kDimension, class Index>(
-          const fast::MeshView<kDimension, Index>& view) -> OrReason<Verdict> {
-        if constexpr (kDimension == 3) {
-          auto held = held_by_facets(claim, view, mesh.faces, domain, facts, options);
-          if (held) return *std::move(held);
-          if (claim == Claim::kConformingDelaunay) {
-            auto failing = not_conforming(view, mesh.faces, domain, facts, options);
-            if (failing) return *std::move(failing);
-          }
-        }
-        return because("something to be asked of exact numbers");
-      });
-  return verdict ? std::optional(*verdict) : std::nullopt;
-}
-
-Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
+Verdict judged_in_domain(Claim claim, const KnownMesh& mesh, const Domain& domain,
                          const Options& options) {
-  const auto facts = facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  std::optional<Verdict> by_facets =
-      facts ? judged_by_facets(claim, mesh, domain, *facts, options) : std::nullopt;
-  Verdict verdict =
-      by_facets ? *std::move(by_facets)
-                : judge_exactly(claim, exact(mesh), &domain, options, facts ? &*facts : nullptr);
+  const auto& facts = mesh.facts();
+  std::optional<Verdict> at_once = mesh.held(claim, domain, options);
+  if (!at_once && claim == Claim::kConformingDelaunay) {
+    at_once = mesh.not_conforming(domain, options);
+  }
+  Verdict verdict = at_once ? *std::move(at_once)
+                            : judge_exactly(claim, mesh.exact(), &domain, options, mesh.known());
   if (facts) {
     verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
   } else {
@@ -170,7 +148,10 @@ VerdictOrEqualPoints judged(Claim claim, const Mesh& mesh, const Domain* domain,
   }
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
-  if (by_lemma && domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
+  if (domain != nullptr) {
+    const KnownMesh known(claim, mesh, domain->complex.kind, options);
+    return judged_in_domain(claim, known, *domain, options);
+  }
   Verdict verdict = judge_exactly(claim, exact(mesh), domain, options);
   verdict.course.why_not_fast = is_about_list ? "a claim about a list" : "judged by definition";
   return verdict;
@@ -182,6 +163,12 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
                                          const Options& options) {
   auto verdict = judged(claim, mesh, domain, options);
   if (verdict) judge_quality(mesh, domain, 0, options, *verdict);
+  return verdict;
+}
+
+Verdict judge(Claim claim, const KnownMesh& mesh, const Domain& domain, const Options& options) {
+  Verdict verdict = judged_in_domain(claim, mesh, domain, options);
+  judge_quality(mesh.mesh(), &domain, 0, options, verdict);
   return verdict;
 }
 

@@ -12,6 +12,8 @@
 
 namespace circumspect::check {
 
+class KnownMesh;  // known_mesh.hpp
+
 // Why a mesh could not be judged: it has points that are equal (see mesh.hpp).
 struct EqualPoints {
   std::vector<Duplicate> repeated;
@@ -32,6 +34,10 @@ struct EqualPoints {
 tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,
                                          const Domain* domain = nullptr,
                                          const Options& options = {});
+
+// The same of a claim about a domain and a mesh of which something is known already. Requires: what
+// is known was asked for this claim, domains of this kind and these options.
+Verdict judge(Claim claim, const KnownMesh& mesh, const Domain& domain, const Options& options);
 
 // A mesh whose equal points count as one: they are merged if there are any, and added to `merged`.
 struct Merging {

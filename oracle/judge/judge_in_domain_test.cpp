@@ -19,7 +19,8 @@ constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulat
 std::optional<fast::SimplexFacts> facts_of(Claim claim, const ExactMesh& mesh, const Domain& domain,
                                            Options options = {}) {
   options.threads = 2;
-  return KnownMesh(claim, in_rows(mesh), domain.complex.kind, options).facts;
+  auto facts = facts_of_simplices(claim, in_rows(mesh), domain.complex.kind, options);
+  return facts ? std::optional(std::move(*facts)) : std::nullopt;
 }
 
 Verdict judged(Claim claim, const ExactMesh& mesh, const Domain& domain, Options options = {}) {

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/triangle_walls.hpp"
+#include "oracle/judge/not_conforming.hpp"
 
 namespace circumspect::check {
 
@@ -21,10 +23,44 @@ OrReason<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, D
       });
 }
 
-KnownMesh::KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const Options& options)
-    : exact(circumspect::exact(mesh)) {
-  auto found = facts_of_simplices(claim, mesh, kind, options);
-  if (found) facts = std::move(*found);
+const ExactMesh& KnownMesh::exact() const {
+  if (!exact_) exact_ = circumspect::exact(mesh_);
+  return *exact_;
+}
+
+template <class Ask>
+std::optional<Verdict> KnownMesh::asked_of_space(const Ask& ask) const {
+  if (!facts_ || mesh_.neighbors) return std::nullopt;
+  const auto verdict = asked_of_rows<Verdict>(
+      mesh_, false,
+      [&]<std::size_t kDimension, class Index>(
+          const fast::MeshView<kDimension, Index>& view) -> OrReason<Verdict> {
+        if constexpr (kDimension == 3) {
+          if (auto found = ask(view)) return *std::move(found);
+        }
+        return because("something to be asked of exact numbers");
+      });
+  return verdict ? std::optional(*verdict) : std::nullopt;
+}
+
+std::optional<Verdict> KnownMesh::held(Claim claim, const Domain& domain,
+                                       const Options& options) const {
+  return asked_of_space([&](const auto& view) {
+    return held_by_facets(claim, view, mesh_.faces, domain, *facts_, options);
+  });
+}
+
+std::optional<Verdict> KnownMesh::not_conforming(const Domain& domain,
+                                                 const Options& options) const {
+  return asked_of_space([&](const auto& view) {
+    return check::not_conforming(view, mesh_.faces, domain, *facts_, options);
+  });
+}
+
+KnownBeside KnownMesh::beside(const Options& options) const {
+  return {known(), [this, &options](Claim claim, const Domain& domain) {
+            return held(claim, domain, options);
+          }};
 }
 
 }  // namespace circumspect::check

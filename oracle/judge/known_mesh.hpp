@@ -5,6 +5,7 @@
 
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/judge/fast_view.hpp"
+#include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/mesh.hpp"
@@ -18,15 +19,36 @@ namespace circumspect::check {
 OrReason<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
                                                 const Options& options);
 
-// A mesh in exact numbers, and these facts: the same for every domain of one kind. judge_domain and
-// judge_within take both.
-struct KnownMesh {
-  KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const Options& options);
+// A mesh with these facts and, where somebody asks for them, its exact numbers: the same for every
+// domain of one kind. judge_domain and judge_within take both.
+class KnownMesh {
+ public:
+  // The mesh must outlive this. Requires: no equal points.
+  KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const Options& options)
+      : mesh_(mesh), facts_(facts_of_simplices(claim, mesh, kind, options)) {}
 
-  ExactMesh exact;
-  std::optional<fast::SimplexFacts> facts;
+  const Mesh& mesh() const { return mesh_; }
+  // Not for several threads at once.
+  const ExactMesh& exact() const;
+  const OrReason<fast::SimplexFacts>& facts() const { return facts_; }
+  const fast::SimplexFacts* known() const { return facts_ ? &*facts_ : nullptr; }
 
-  const fast::SimplexFacts* known() const { return facts ? &*facts : nullptr; }
+  // The verdict that a claim about a domain holds, if that is seen at once.
+  std::optional<Verdict> held(Claim claim, const Domain& domain, const Options& options) const;
+  // What is wrong with a mesh that fills a domain but is no conforming Delaunay triangulation of it,
+  // if that is seen at once: not_conforming.hpp.
+  std::optional<Verdict> not_conforming(const Domain& domain, const Options& options) const;
+  // For judge_within. This and the options must outlive it.
+  KnownBeside beside(const Options& options) const;
+
+ private:
+  // What `ask` says of the simplices as a view, if these are tetrahedra of doubles with known facts.
+  template <class Ask>
+  std::optional<Verdict> asked_of_space(const Ask& ask) const;
+
+  const Mesh& mesh_;
+  OrReason<fast::SimplexFacts> facts_;
+  mutable std::optional<ExactMesh> exact_ = {};
 };
 
 }  // namespace circumspect::check

@@ -6,7 +6,7 @@
 
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/delaunay.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
 

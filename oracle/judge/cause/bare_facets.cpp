@@ -24,6 +24,19 @@ int orientation_of_doubles(std::span<const double> coordinates, std::span<const 
   return fast::orientation<kDimension>(row, stages);
 }
 
+template <std::size_t kDimension, class Index>
+BareFacet bare_facet(const fast::MeshView<kDimension, Index>& view, fast::FacetId facet) {
+  const auto row = view.row(facet.simplex());
+  const auto vertices = fast::facet_of<kDimension + 1, Index>(row, facet.place());
+  return {Simplex(vertices.begin(), vertices.end()), Vertex{row[facet.place()]}};
+}
+
+std::vector<BareFacet> in_order(std::vector<BareFacet> facets) {
+  std::sort(facets.begin(), facets.end(),
+            [](const BareFacet& a, const BareFacet& b) { return a.facet < b.facet; });
+  return facets;
+}
+
 }  // namespace
 
 std::vector<BareFacet> bare_facets(const Mesh& mesh) {
@@ -39,15 +52,20 @@ std::vector<BareFacet> bare_facets(const Mesh& mesh) {
     }
     for (std::size_t i = 0; i < links->count; ++i) {
       if (links->view()[i] >= 0 || is_overused[i]) continue;
-      const auto row = view.row(i / kVertices);
-      if (!name_points(mesh, row)) continue;
-      const auto facet = fast::facet_of<kVertices, Index>(row, i % kVertices);
-      found.push_back({Simplex(facet.begin(), facet.end()), Vertex{row[i % kVertices]}});
+      if (!name_points(mesh, view.row(i / kVertices))) continue;
+      found.push_back(bare_facet(view, fast::FacetId(i / kVertices, i % kVertices)));
     }
   });
-  std::sort(found.begin(), found.end(),
-            [](const BareFacet& a, const BareFacet& b) { return a.facet < b.facet; });
-  return found;
+  return in_order(std::move(found));
+}
+
+std::vector<BareFacet> bare_facets(const Mesh& mesh, const std::vector<fast::FacetId>& boundary) {
+  std::vector<BareFacet> found;
+  found.reserve(boundary.size());
+  look_at_simplices(mesh, [&](const auto& view) {
+    for (const fast::FacetId facet : boundary) found.push_back(bare_facet(view, facet));
+  });
+  return in_order(std::move(found));
 }
 
 int orientation_in(const Mesh& mesh, std::span<const Vertex> points) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
@@ -18,6 +19,8 @@ struct BareFacet {
 // In order of their vertices. None if the mesh has not rows of d + 1 points each, in the plane or
 // in space; none of simplices whose indices do not all name points.
 std::vector<BareFacet> bare_facets(const Mesh& mesh);
+// The same where it is known which facets these are.
+std::vector<BareFacet> bare_facets(const Mesh& mesh, const std::vector<fast::FacetId>& boundary);
 
 // Do all of these indices name points of the mesh? The claim `complex` judges what is left where
 // some do not, so whoever looks at the simplices has to ask.

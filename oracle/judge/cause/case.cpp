@@ -33,7 +33,7 @@ std::size_t Case::violations() const {
 }
 
 const std::vector<BareFacet>& Case::bare() {
-  if (!bare_) bare_ = bare_facets(mesh_);
+  if (!bare_) bare_ = known_ ? bare_facets(mesh_, known_->boundary) : bare_facets(mesh_);
   return *bare_;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oracle/judge/cause/bare_facets.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
@@ -17,9 +18,9 @@ using JudgeAgain = std::function<std::optional<Verdict>(const Mesh&)>;
 
 class Case {
  public:
-  // Both are viewed, and must outlive it.
-  Case(const Verdict& verdict, const Mesh& mesh, JudgeAgain judge)
-      : verdict_(verdict), mesh_(mesh), judge_(std::move(judge)) {}
+  // All are viewed, and must outlive it. `known`: of the simplices, or null.
+  Case(const Verdict& verdict, const Mesh& mesh, JudgeAgain judge, const fast::SimplexFacts* known)
+      : verdict_(verdict), mesh_(mesh), judge_(std::move(judge)), known_(known) {}
 
   const Verdict& verdict() const { return verdict_; }
   const Mesh& mesh() const { return mesh_; }
@@ -51,6 +52,7 @@ class Case {
   const Verdict& verdict_;
   const Mesh& mesh_;
   JudgeAgain judge_;
+  const fast::SimplexFacts* known_;
   std::optional<std::vector<BareFacet>> bare_ = {};
   bool has_mended_ = false;
   std::optional<Verdict> as_complex_ = {};

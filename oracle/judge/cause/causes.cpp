@@ -53,11 +53,12 @@ const std::vector<Row>& rows() {
 
 }  // namespace
 
-Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge) {
+Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge,
+              const fast::SimplexFacts* known) {
   Causes all;
   // What is mended is not unfolded.
   if (verdict.holds() || mesh.copies) return all;
-  Case of(verdict, mesh, judge);
+  Case of(verdict, mesh, judge, known);
   for (const Row& row : rows()) {
     const bool is_broken = std::any_of(row.explains.begin(), row.explains.end(),
                                        [&](Rule rule) { return of.breaks(rule); });

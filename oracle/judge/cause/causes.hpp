@@ -17,6 +17,8 @@ struct Causes {
 // None if the claim holds. Each is checked: the mended mesh is judged, or the violations that it
 // explains are counted. Beside passes over the simplices, at most one mended mesh is judged, and at
 // most once, of limited size, the claim `complex`.
-Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge);
+// `known`: what is known of the simplices, if anything.
+Causes causes(const Verdict& verdict, const Mesh& mesh, const JudgeAgain& judge,
+              const fast::SimplexFacts* known = nullptr);
 
 }  // namespace circumspect::check

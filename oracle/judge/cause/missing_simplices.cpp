@@ -242,22 +242,26 @@ Cause at_holes(const Case& of, const std::string& words, const std::vector<Simpl
   return cause;
 }
 
-// Does the verdict name a facet that nothing covers, and that these would leave so? With them the
-// claim would not hold, either, which would take as long to find out as the verdict did.
-bool leave_uncovered(const Case& of, const std::vector<Simplex>& missing) {
+// Does the verdict name a facet that nothing covers, an edge that a segment lacks, or a vertex that
+// is no point of the mesh, and would these leave it so? With them the claim would not hold, either,
+// which would take as long to find out as the verdict did.
+bool leave_faults(const Case& of, const std::vector<Simplex>& missing) {
   // How far the domain's cells have to be moved depends on all simplices.
   if (of.verdict().within || of.verdict().beyond) return false;
-  std::set<Simplex> facets;
-  for (const Simplex& simplex : missing) {
-    for (std::size_t place = 0; place < simplex.size(); ++place) {
-      facets.insert(sorted(facet_opposite(simplex, place)));
-    }
-  }
+  const auto are_face_of_one = [&](const Simplex& face) {
+    return std::any_of(missing.begin(), missing.end(),
+                       [&](const Simplex& simplex) { return has_face(simplex, face); });
+  };
+  // A point that gets a simplex may cut the edge in two.
+  const bool may_be_cut = of.breaks(Rule::kUnusedPoint);
   const std::vector<Violation>& listed = of.verdict().violations();
   return std::any_of(listed.begin(), listed.end(), [&](const Violation& violation) {
     const Witness& witness = violation.witness;
-    return violation.rule == Rule::kUncovered && witness.simplices.size() == 1 && witness.face &&
-           !facets.contains(sorted(*witness.face));
+    const bool is_bare = violation.rule == Rule::kUncovered && witness.simplices.size() == 1;
+    const bool is_absent = violation.rule == Rule::kSegmentMissing && !may_be_cut;
+    const bool has_no_point = violation.rule == Rule::kDomainVertexMissing && witness.point;
+    return has_no_point ||
+           ((is_bare || is_absent) && witness.face && !are_face_of_one(*witness.face));
   });
 }
 
@@ -306,15 +310,17 @@ std::optional<Cause> missing_simplices(Case& of) {
     leave_out_notches(of, missing);
   }
   if (missing.empty()) return std::nullopt;
-  const std::string words = words_of(static_cast<int>(of.mesh().dimension()), of.mesh(), missing);
+  const auto words = [&] {
+    return words_of(static_cast<int>(of.mesh().dimension()), of.mesh(), missing);
+  };
   if (are_closed && of.mesh().simplices.size() > kMostMended) {
-    return at_holes(of, words, missing);
+    return at_holes(of, words(), missing);
   }
-  if (!are_closed && leave_uncovered(of, missing)) return std::nullopt;
+  if (!are_closed && leave_faults(of, missing)) return std::nullopt;
   const auto mended = of.mended(with_simplices(of.mesh(), with_more(of.mesh(), missing)));
   // A notch between two facets may be meant, unless nothing else is wrong.
   if (!mended || mended->explains == 0 || (!are_closed && !mended->holds)) return std::nullopt;
-  return of.cause("missing-simplex", words, mended->explains);
+  return of.cause("missing-simplex", words(), mended->explains);
 }
 
 }  // namespace circumspect::check

@@ -53,20 +53,31 @@ std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLin
                                        const fast::SimplexFacts& known) {
   const std::vector<bool> of_interest = vertices_of_interest(mesh, complex, places, known);
   const auto polygons_at = polygons_at_vertices(mesh, complex, places);
+  std::vector<bool> may_count = of_interest;
+  for (std::size_t v = 0; v < may_count.size(); ++v) {
+    if (!polygons_at[v].empty()) may_count[v] = true;
+  }
   auto boundary = known.boundary.begin();
   std::vector<FacetUse> uses;
+  Simplex facet;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
     const Simplex& simplex = mesh.simplices[s];
+    const bool has_single = boundary != known.boundary.end() && boundary->simplex() == s;
+    // Most simplices are away from all walls.
+    const auto others = std::count_if(simplex.begin(), simplex.end(),
+                                      [&](Vertex v) { return !may_count[VertexPlaces::place(v)]; });
+    if (others > 1 && !has_single) continue;
     for (std::size_t place = 0; place < simplex.size(); ++place) {
-      while (boundary != known.boundary.end() && *boundary < fast::FacetId(s, place)) ++boundary;
       const bool is_single =
           boundary != known.boundary.end() && *boundary == fast::FacetId(s, place);
-      Simplex facet = facet_opposite(simplex, place);
+      if (is_single) ++boundary;
+      facet.assign(simplex.begin(), simplex.end());
+      facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
       const bool counts = is_single || are_in_a_polygon(facet, polygons_at) ||
                           std::all_of(facet.begin(), facet.end(), [&](Vertex v) {
                             return of_interest[VertexPlaces::place(v)];
                           });
-      if (counts) uses.push_back({sorted(std::move(facet)), s, place});
+      if (counts) uses.push_back({sorted(facet), s, place});
     }
   }
   std::stable_sort(uses.begin(), uses.end(),

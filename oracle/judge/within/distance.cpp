@@ -151,6 +151,17 @@ RoundedPoint Rounding::point(const Point& point) const {
   return rounded(scaled);
 }
 
+RoundedPoint Rounding::point(std::span<const double> point) const {
+  RoundedPoint result;
+  if (exponent_ == 0) {
+    std::transform(point.begin(), point.end(), result.begin(), exactly);
+    return result;
+  }
+  Point exact;
+  for (const double x : point) exact.push_back(exact_value(x));
+  return this->point(exact);
+}
+
 std::vector<RoundedPoint> Rounding::points(const std::vector<Point>& points) const {
   std::vector<RoundedPoint> result;
   result.reserve(points.size());

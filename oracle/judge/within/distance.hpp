@@ -36,6 +36,7 @@ class Rounding {
   explicit Rounding(const std::vector<Point>& points);
 
   RoundedPoint point(const Point& point) const;
+  RoundedPoint point(std::span<const double> point) const;
   std::vector<RoundedPoint> points(const std::vector<Point>& points) const;
   // At least the square root.
   double distance(const Rational& squared) const;

@@ -17,6 +17,7 @@
 #include "oracle/judge/within/moved_meshes_test.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
+#include "oracle/judge/within/without_image.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
@@ -128,7 +129,7 @@ inline Markers random_markers(const ExactMesh& mesh, const PiecewiseLinearComple
 }
 
 struct Counts {
-  int found = 0, moved = 0, holds = 0, none = 0, not_judged = 0;
+  int found = 0, moved = 0, holds = 0, none = 0, lacking = 0, not_judged = 0;
 };
 
 // How often each rule is broken is the same however many witnesses are kept.
@@ -156,6 +157,18 @@ inline void hold_with_lone_vertex(const Verdict& verdict, const ExactMesh& mesh,
       judge_within(verdict.claim(), with_points(mesh, of_mesh), domain, kSquaredLimit);
   REQUIRE(with);
   CHECK(with->holds() == verdict.holds());
+}
+
+// No cell is certainly without an image if all have one.
+inline void hold_lacking(const ExactMesh& mesh, const PiecewiseLinearComplex& complex, bool found,
+                         Counts& counts) {
+  const Mesh rows = in_rows(mesh);
+  const WithoutImage without(rows, complex, kSquaredLimit);
+  const std::vector<LinearCell> cells = linear_cells(complex);
+  const bool lacks = std::any_of(cells.begin(), cells.end(),
+                                 [&](LinearCell cell) { return without.certainly(cell); });
+  if (lacks) ++counts.lacking;
+  CHECK(!(lacks && found));
 }
 
 // One random case; what came out is counted.
@@ -199,6 +212,7 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   } else {
     ++counts.none;
   }
+  hold_lacking(mesh, complex, found, counts);
   const auto verdict = judge_within(Claim::kSteinerTriangulation, mesh, moved.domain, kSquaredLimit,
                                     {.max_violations = 0}, nullptr, nullptr, markers);
   if (!verdict) {
@@ -225,8 +239,8 @@ inline void hold_equal_to_definition(std::size_t dimension, unsigned long first,
   const int tried = properties::try_seeds(
       first, cases, [&](std::uint64_t seed) { hold_equal(seed, dimension, counts); });
   MESSAGE("dimension " << dimension << ": found " << counts.found << " moved " << counts.moved
-                       << " holds " << counts.holds << " none " << counts.none << " not judged "
-                       << counts.not_judged);
+                       << " holds " << counts.holds << " none " << counts.none << " lacking "
+                       << counts.lacking << " not judged " << counts.not_judged);
   const auto occurs = [](int often, int at_least) {
     return properties::occurs(static_cast<std::size_t>(often),
                               static_cast<std::size_t>(at_least * properties::one_input_in()));
@@ -234,6 +248,7 @@ inline void hold_equal_to_definition(std::size_t dimension, unsigned long first,
   CHECK(occurs(counts.moved, tried / 5));
   CHECK(occurs(counts.holds, tried / 10));
   CHECK(occurs(counts.none, 1));
+  CHECK(occurs(counts.lacking, 1));
 }
 
 }  // namespace circumspect::check

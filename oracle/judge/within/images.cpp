@@ -22,31 +22,19 @@ Images::Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, 
       patches_(cells.complex().polygons.size()) {}
 
 const ImageOr<Vertex>& Images::vertex(std::size_t v, const Rational& squared_reach) const {
-  auto& known = vertices_[v];
-  if (!known || !known->is_about(squared_reach)) {
-    known = Known<Vertex>{found_vertex(v, squared_reach), squared_reach,
-                          next_change({0, v}, squared_reach)};
-  }
-  return known->image;
+  return known_or_found(vertices_[v], {0, v}, squared_reach,
+                        [&] { return found_vertex(v, squared_reach); });
 }
 
 const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
                                                  const Rational& squared_reach) const {
-  auto& known = paths_[segment];
-  if (!known || !known->is_about(squared_reach)) {
-    known = Known<std::vector<Vertex>>{found_path(segment, squared_reach), squared_reach,
-                                       next_change({1, segment}, squared_reach)};
-  }
-  return known->image;
+  return known_or_found(paths_[segment], {1, segment}, squared_reach,
+                        [&] { return found_path(segment, squared_reach); });
 }
 
 const ImageOr<Patch>& Images::patch(std::size_t polygon, const Rational& squared_reach) const {
-  auto& known = patches_[polygon];
-  if (!known || !known->is_about(squared_reach)) {
-    known = Known<Patch>{found_patch(polygon, squared_reach), squared_reach,
-                         next_change({2, polygon}, squared_reach)};
-  }
-  return known->image;
+  return known_or_found(patches_[polygon], {2, polygon}, squared_reach,
+                        [&] { return found_patch(polygon, squared_reach); });
 }
 
 ImageOr<Vertex> Images::found_vertex(std::size_t v, const Rational& squared_reach) const {
@@ -155,7 +143,10 @@ std::optional<Rational> Images::next_change(Cell cell, const Rational& squared_r
         break;
       }
       // Within reach already: another cell of lower dimension may come to carry it.
-      for (const ToCell& to : reaches_.of(near.vertex)) consider(to.squared());
+      // Most of these are as far as the cell itself.
+      for (const ToCell& to : reaches_.of(near.vertex)) {
+        if (to.distance.get() != near.distance) consider(to.squared());
+      }
     }
   }
   return next;

@@ -72,10 +72,16 @@ class Images {
   struct Known {
     ImageOr<Image> image;
     Rational from;
-    std::optional<Rational> before;  // none: all that are larger
+    bool knows_before = false;
+    std::optional<Rational> before = {};  // none: all that are larger
 
-    bool is_about(const Rational& squared_reach) const {
-      return from <= squared_reach && (!before || squared_reach < *before);
+    // Most are asked about one reach alone. `next`: the change after `from`.
+    template <class Next>
+    bool is_about(const Rational& squared_reach, const Next& next) {
+      if (squared_reach == from) return true;
+      if (squared_reach < from) return false;
+      if (!std::exchange(knows_before, true)) before = next(from);
+      return !before || squared_reach < *before;
     }
   };
 
@@ -94,6 +100,16 @@ class Images {
   bool has_image(Cell cell, const Rational& squared_reach) const;
   ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
   ImageOr<std::vector<Vertex>> found_path(std::size_t segment, const Rational& squared_reach) const;
+  // What is known of the image of a cell at a reach, or else is found.
+  template <class Image, class Find>
+  const ImageOr<Image>& known_or_found(std::optional<Known<Image>>& known, Cell cell,
+                                       const Rational& squared_reach, const Find& find) const {
+    const auto next = [&](const Rational& from) { return next_change(cell, from); };
+    if (!known || !known->is_about(squared_reach, next)) {
+      known = Known<Image>{find(), squared_reach};
+    }
+    return known->image;
+  }
   std::optional<Patch> patch_of_triangle(std::size_t polygon, const SeenFromAbove& seen,
                                          const Rational& squared_reach) const;
   ImageOr<Patch> found_patch(std::size_t polygon, const Rational& squared_reach) const;

@@ -20,6 +20,18 @@ namespace circumspect::check {
 namespace {
 
 constexpr std::size_t kMostPointsByDefinition = 300;  // of a convex hull
+// Each cell is put into boxes, and its image looked for: see Work.
+constexpr std::size_t kStepsOfCell = 10;
+constexpr const char* kGivenUp = "The search for the least distance was given up.";
+
+// Are there so many cells that a search need not begin?
+bool is_too_large(const PiecewiseLinearComplex& complex, Work& work) {
+  const std::size_t steps =
+      kStepsOfCell * (complex.points.size() + complex.segments.size() + complex.polygons.size());
+  const bool has_room = work.has_room_for(steps);
+  if (!has_room) work.add(steps);
+  return !has_room;
+}
 
 bool forbids_steiner_points(Claim claim) {
   return claim == Claim::kPlcTriangulation || claim == Claim::kCdt;
@@ -194,11 +206,19 @@ void add_all(const Verdict& inner, const ImageComplex& image, const ReachAnswer&
   verdict.canonical = inner.canonical;
 }
 
+Verdict judged_exactly(Claim claim, const ExactMesh& mesh, const Domain& domain,
+                       const Options& options, const KnownBeside& known) {
+  if (known.held) {
+    if (auto held = known.held(claim, domain)) return *std::move(held);
+  }
+  return judge_exactly(claim, mesh, &domain, options, known.facts);
+}
+
 tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh,
                                               const std::vector<bool>& used,
                                               const CellsOfDomain& domain,
                                               const ReachAnswer& answer, const Options& options,
-                                              const fast::SimplexFacts* known) {
+                                              const KnownBeside& known) {
   Verdict verdict(claim, mesh, options.max_violations);
   verdict.within = Within{.squared_reach = answer.squared_reach};
   const auto image = image_complex(answer.images, answer.moved, mesh, domain.cells, domain.regions);
@@ -215,7 +235,7 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
   const Verdict inner =
-      judge_exactly(with_steiner_points(claim), mesh, &image->domain, options, known);
+      judged_exactly(with_steiner_points(claim), mesh, image->domain, options, known);
   add_all(inner, *image, answer, domain, verdict);
   return verdict;
 }
@@ -269,16 +289,16 @@ tl::unexpected<NotJudged> left_open(std::string why) {
 tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh,
                                               const Domain& domain,
                                               const Rational& squared_distance,
-                                              const Options& options,
-                                              const fast::SimplexFacts* known, const Domain* flat,
-                                              const Markers& markers, Work* work) {
+                                              const Options& options, const KnownBeside& known,
+                                              const Domain* flat, const Markers& markers,
+                                              Work* work) {
   const auto exactly = [&] {
-    Verdict verdict = judge_exactly(claim, mesh, flat == nullptr ? &domain : flat, options, known);
+    Verdict verdict = judged_exactly(claim, mesh, flat == nullptr ? domain : *flat, options, known);
     if (verdict.holds()) verdict.within = Within{};
     return verdict;
   };
   const bool is_hull = domain.complex.kind == DomainKind::kHull;
-  const bool are_known = known != nullptr && flat == nullptr;
+  const bool are_known = known.facts != nullptr && flat == nullptr;
   const auto settled = settled_exactly(claim, mesh, domain, are_known, exactly);
   if (settled) return *settled;
   if (is_hull && flat != nullptr) {
@@ -287,6 +307,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
         "polygons are joined by angle: leave out the angle of --merge-coplanar.");
   }
   const bool by_definition = options.by == By::kDefinition;
+  if (work != nullptr && is_too_large(domain.complex, *work)) return left_open(kGivenUp);
   if (is_hull && by_definition && domain.complex.points.size() > kMostPointsByDefinition) {
     return left_open(
         "By definition every plane through three vertices is tried for a face of the convex hull, "
@@ -313,7 +334,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     return tl::unexpected(not_judged(answer, mesh, all));
   }
   if (answer.kind == Kind::kTooMuchWork) {
-    return left_open("The search for the least distance was given up.");
+    return left_open(kGivenUp);
   }
   if (answer.kind == Kind::kNone) {
     return verdict_beyond(claim, mesh, answer, all, squared_distance, options);

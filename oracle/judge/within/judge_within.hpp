@@ -2,7 +2,10 @@
 // cells moved by no more than a given distance. docs/theory/within.md is the definition.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <tl/expected.hpp>
 
@@ -19,6 +22,17 @@ struct NotJudged {
   bool is_input_fault = true;  // else: such domains are judged only where the claim holds exactly
 };
 
+// What is known of a mesh beside its numbers.
+struct KnownBeside {
+  using Held = std::function<std::optional<Verdict>(Claim, const Domain&)>;
+
+  KnownBeside(const fast::SimplexFacts* simplex_facts = nullptr, Held held_at_once = {})
+      : facts(simplex_facts), held(std::move(held_at_once)) {}
+
+  const fast::SimplexFacts* facts;
+  Held held;  // the verdict that a claim about a domain holds, if that is seen at once; or null
+};
+
 // The verdict on the claim for the domain moved by no more than the square root of
 // `squared_distance`, exactly; Verdict::within says by how much it is moved. If there is no such
 // move, the verdict says which cells have no image. A mesh for which the claim holds as it stands
@@ -30,7 +44,7 @@ struct NotJudged {
 // takes. Requires: as judge_exactly; squared_distance >= 0.
 tl::expected<Verdict, NotJudged> judge_within(
     Claim claim, const ExactMesh& mesh, const Domain& domain, const Rational& squared_distance,
-    const Options& options = {}, const fast::SimplexFacts* known = nullptr,
-    const Domain* flat = nullptr, const Markers& markers = {}, Work* work = nullptr);
+    const Options& options = {}, const KnownBeside& known = {}, const Domain* flat = nullptr,
+    const Markers& markers = {}, Work* work = nullptr);
 
 }  // namespace circumspect::check

@@ -15,17 +15,20 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
       polygons_at[static_cast<std::size_t>(near.vertex)].push_back(p);
     }
   }
-  const auto file_triangle = [&](const Simplex& triangle) {
-    std::vector<std::size_t> all = polygons_at[static_cast<std::size_t>(triangle[0])];
-    for (const std::size_t place : {std::size_t{1}, std::size_t{2}}) {
-      const auto& more = polygons_at[static_cast<std::size_t>(triangle[place])];
-      std::vector<std::size_t> both;
-      std::set_intersection(all.begin(), all.end(), more.begin(), more.end(),
-                            std::back_inserter(both));
-      all = std::move(both);
-    }
-    work.add(all.size());
-    for (const std::size_t p : all) triangles_[p].push_back(triangle);
+  std::vector<std::size_t> of_two, of_all;
+  const auto intersect = [](const auto& a, const auto& b, std::vector<std::size_t>& both) {
+    both.clear();
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  };
+  const auto file_triangle = [&](Vertex a, Vertex b, Vertex c) {
+    const auto at = [&](Vertex v) -> const std::vector<std::size_t>& {
+      return polygons_at[static_cast<std::size_t>(v)];
+    };
+    intersect(at(a), at(b), of_two);
+    if (of_two.empty()) return;
+    intersect(of_two, at(c), of_all);
+    work.add(of_all.size());
+    for (const std::size_t p : of_all) triangles_[p].push_back({a, b, c});
   };
   const auto is_near = [&](Vertex v) { return !reaches.of(v).empty(); };
   const auto file = [&](const Simplex& listed) {
@@ -37,9 +40,8 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
       for (std::size_t j = i + 1; j < simplex.size(); ++j) {
         if (!is_near(simplex[j])) continue;
         edges_.emplace_back(simplex[i], simplex[j]);
-        edges_.emplace_back(simplex[j], simplex[i]);
         for (std::size_t k = j + 1; k < simplex.size() && !triangles_.empty(); ++k) {
-          file_triangle({simplex[i], simplex[j], simplex[k]});
+          file_triangle(simplex[i], simplex[j], simplex[k]);
         }
       }
     }
@@ -47,6 +49,9 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
   for (const Simplex& simplex : mesh.simplices) file(simplex);
   for (const Simplex& face : mesh.faces) file(face);
   keep_each_once(edges_);
+  const std::size_t one_way = edges_.size();
+  for (std::size_t i = 0; i < one_way; ++i) edges_.emplace_back(edges_[i].second, edges_[i].first);
+  std::sort(edges_.begin(), edges_.end());
   for (std::vector<Simplex>& triangles : triangles_) keep_each_once(triangles);
 }
 

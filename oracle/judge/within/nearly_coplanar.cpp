@@ -40,6 +40,12 @@ Plane plane_of(const PointSet& points, const Simplex& triangle) {
   return {origin, std::move(u), std::move(normal)};
 }
 
+// Is the square of the tangent of the angle between them at most that?
+bool are_at_most(const Rational& squared_slope, const Plane& a, const Plane& b) {
+  const Rational along = inner_product(a.normal, b.normal);
+  return squared_length(cross_product(a.normal, b.normal)) <= squared_slope * along * along;
+}
+
 class NearlyCoplanar {
  public:
   NearlyCoplanar(const PiecewiseLinearComplex& complex, const std::vector<Simplex>& listed,
@@ -101,11 +107,6 @@ class NearlyCoplanar {
     std::vector<std::size_t> places;
     for (const auto& [area, place] : order) places.push_back(place);
     return places;
-  }
-
-  bool are_at_most(const Rational& squared_slope, const Plane& a, const Plane& b) const {
-    const Rational along = inner_product(a.normal, b.normal);
-    return squared_length(cross_product(a.normal, b.normal)) <= squared_slope * along * along;
   }
 
   bool is_flat_enough(std::size_t polygon, const Plane& plane) const {
@@ -261,6 +262,47 @@ NearlyJoined nearly_coplanar_polygons_joined(const PiecewiseLinearComplex& compl
                                              const std::vector<Simplex>& listed,
                                              const Flatness& flatness) {
   return NearlyCoplanar(complex, listed, flatness).result();
+}
+
+StayingSegments::StayingSegments(const PiecewiseLinearComplex& complex, Rational squared_slope)
+    : complex_(complex),
+      squared_slope_(std::move(squared_slope)),
+      at_vertex_(complex.points.size()) {
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    for (const Vertex v : complex.polygons[p].vertices) {
+      at_vertex_[static_cast<std::size_t>(v)].push_back(p);
+    }
+  }
+}
+
+std::vector<std::size_t> StayingSegments::at(const Simplex& segment) const {
+  std::vector<std::size_t> found;
+  for (const std::size_t p : at_vertex_[static_cast<std::size_t>(segment[0])]) {
+    const std::vector<Simplex>& segments = complex_.polygons[p].segments;
+    if (std::find(segments.begin(), segments.end(), segment) != segments.end()) found.push_back(p);
+  }
+  return found;
+}
+
+bool StayingSegments::certainly(const Simplex& segment) const {
+  constexpr std::size_t kMostPolygons = 100;
+  const auto plane = [&](std::size_t p) {
+    return plane_of(complex_.points, complex_.polygons[p].triangles.front());
+  };
+  const std::vector<std::size_t> own = at(segment);
+  if (own.size() != 2) return own.size() < 2;
+  std::vector<std::size_t> reached = {own[0]};
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    if (reached[next] == own[1] || reached.size() > kMostPolygons) return false;
+    const Plane here = plane(reached[next]);
+    for (const Simplex& across : complex_.polygons[reached[next]].segments) {
+      for (const std::size_t other : at(across)) {
+        if (std::find(reached.begin(), reached.end(), other) != reached.end()) continue;
+        if (are_at_most(squared_slope_, here, plane(other))) reached.push_back(other);
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace circumspect::check

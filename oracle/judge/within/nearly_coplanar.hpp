@@ -41,4 +41,24 @@ NearlyJoined nearly_coplanar_polygons_joined(const PiecewiseLinearComplex& compl
                                              const std::vector<Simplex>& listed,
                                              const Flatness& flatness);
 
+// Tells of segments that they stay, whichever polygons are joined, those of one plane first and
+// then those of nearly one, at such an angle.
+class StayingSegments {
+ public:
+  // The complex must outlive this. Requires: it is valid, and in space.
+  StayingSegments(const PiecewiseLinearComplex& complex, Rational squared_slope);
+
+  // Is the segment in fewer than two polygons, or in two, and no way leads from one of these to the
+  // other across segments at which the angle is small enough? False says nothing: few polygons are
+  // looked at.
+  bool certainly(const Simplex& segment) const;
+
+ private:
+  std::vector<std::size_t> at(const Simplex& segment) const;
+
+  const PiecewiseLinearComplex& complex_;
+  Rational squared_slope_;
+  std::vector<std::vector<std::size_t>> at_vertex_;  // polygons
+};
+
 }  // namespace circumspect::check

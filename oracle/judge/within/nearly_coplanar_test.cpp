@@ -163,4 +163,22 @@ TEST_CASE("a mesh with other diagonals holds for the joined polygons, and nothin
   CHECK(!missing->holds());
 }
 
+TEST_CASE("a segment stays for certain if no way leads around it by small angles") {
+  const Rational slope = flatness(0).squared_slope;
+  const PiecewiseLinearComplex cube = valid(bent_cube());
+  const StayingSegments of_cube(cube, slope);
+  CHECK(of_cube.certainly({0, 1}));   // an edge of the cube
+  CHECK(!of_cube.certainly({1, 2}));  // a diagonal of a square
+  CHECK(!of_cube.certainly({5, 6}));  // of one that is bent a little
+  // Two triangles of nearly one plane, and a steep one beside them.
+  PiecewiseLinearInput fan;
+  fan.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, bits(9)}, {-1, 0, Rational(1, 9)}};
+  fan.polygons = {{{{0, 1, 2}}, {}}, {{{0, 2, 3}}, {}}, {{{0, 3, 4}}, {}}};
+  const PiecewiseLinearComplex open = valid(fan);
+  const StayingSegments of_fan(open, slope);
+  CHECK(!of_fan.certainly({0, 2}));
+  CHECK(of_fan.certainly({0, 3}));
+  CHECK(of_fan.certainly({0, 1}));  // of one polygon
+}
+
 }  // namespace circumspect::check

@@ -18,6 +18,7 @@ class Work {
 
   void add(std::size_t steps) { done_.fetch_add(steps, std::memory_order_relaxed); }
   bool is_too_much() const { return done() > most_; }
+  bool has_room_for(std::size_t steps) const { return steps <= most_ && done() <= most_ - steps; }
   std::size_t done() const { return done_.load(std::memory_order_relaxed); }
 
  private:
