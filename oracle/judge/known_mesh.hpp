@@ -35,14 +35,14 @@ class KnownMesh {
 
   // The verdict that a claim about a domain holds, if that is seen at once.
   std::optional<Verdict> held(Claim claim, const Domain& domain, const Options& options) const;
-  // What is wrong with a mesh that fills a domain but is no conforming Delaunay triangulation of it,
-  // if that is seen at once: not_conforming.hpp.
+  // What is wrong with a mesh that fills a domain but is not Delaunay, if that is seen at once:
+  // not_conforming.hpp.
   std::optional<Verdict> not_conforming(const Domain& domain, const Options& options) const;
   // For judge_within. This and the options must outlive it.
   KnownBeside beside(const Options& options) const;
 
  private:
-  // What `ask` says of the simplices as a view, if these are tetrahedra of doubles with known facts.
+  // What `ask` says of the view of the simplices, if these are tetrahedra with known facts.
   template <class Ask>
   std::optional<Verdict> asked_of_space(const Ask& ask) const;
 
