@@ -54,6 +54,12 @@ found=$("$program" "$again/nobodys") || true
   echo "the triangle with a point that is nobody's: found '$found'" >&2
   failures=$((failures + 1))
 }
+# A file that nobody can read says nothing, as one that is malformed.
+found=$("$program" "$again/absent") && code=0 || code=$?
+[[ "$found" == "malformed: cannot read $again/absent: "* && "$code" -eq 3 ]] || {
+  echo "a file that is not there: expected 'malformed: cannot read ..', exit 3; found '$found', exit $code" >&2
+  failures=$((failures + 1))
+}
 # The same triangle as its user's own files, and as files of other meshes.
 cd "$again"
 users() {  # what is expected, then options, MESH.node and MESH.ele
