@@ -47,29 +47,57 @@ class Wrong(Exception):
 
 
 class Programs:
-    """The two programs, and what the oracle said before."""
+    """The two programs, and what the oracle said before; and how often the definitions took too long.
+
+    A program takes longer to start than to check a small file. So `answers`, which make builds beside circumspect-verified of the
+    same sources, answers in its place; of one file in SELDOM, and of all of ours, the program itself is asked, too.
+    """
+    SELDOM = 25
 
     def __init__(self, circumspect, verified):
         self.circumspect, self.verified = circumspect, verified
         self.truths = {}
+        self.by_lemma = 0
+        answers = pathlib.Path(verified).with_name("answers")
+        self.answers = subprocess.Popen([answers], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) if answers.exists() else None
+        self.asked = 0
 
     def run(self, *arguments):
         return subprocess.run([self.circumspect, *map(str, arguments)], capture_output=True, text=True)
 
-    def answer(self, *files):
+    def answer_by_itself(self, *arguments):
         """What circumspect-verified prints, and its exit code."""
-        ended = subprocess.run([self.verified, *map(str, files)], capture_output=True, text=True)
+        ended = subprocess.run([self.verified, *map(str, arguments)], capture_output=True, text=True)
         if ended.returncode not in (0, 1, 3):
             raise Wrong(f"exit code {ended.returncode}: {ended.stdout}{ended.stderr}")
         return ended.stdout.strip(), ended.returncode
+
+    def answer(self, *arguments):
+        """The same, in most cases of `answers`."""
+        self.asked += 1
+        if self.answers is None:
+            return self.answer_by_itself(*arguments)
+        self.answers.stdin.write("\t".join(map(str, arguments)) + "\n")
+        self.answers.stdin.flush()
+        lines = []
+        while not lines or not re.match("[0-9]+ ", lines[-1]):
+            lines.append(self.answers.stdout.readline())
+            if not lines[-1]:
+                raise Wrong(f"`answers` ended: {arguments}")
+        code, last = lines.pop().split(" ", 1)
+        answer = ("".join(lines).removesuffix("\n") + last).strip(), int(code)
+        if self.asked % self.SELDOM == 0 and (itself := self.answer_by_itself(*arguments)) != answer:
+            raise Wrong(f"`answers` says {answer}, circumspect-verified {itself}: {arguments}")
+        return answer
 
     def truth(self, claim, *arguments):
         """The verdict by the definitions: its JSON."""
         key = (claim, *map(str, arguments))
         if key not in self.truths:
             asked = ("check", *arguments, "--claim", claim, "--format", "json", "--max-errors", 0)
-            ended = self.run(*asked, "--by", "definition", "--limit", "10s")
+            ended = self.run(*asked, "--by", "definition", "--limit", "60s")
             if ended.returncode == 4:  # a lattice with a long vector takes the definitions long
+                self.by_lemma += 1
                 ended = self.run(*asked)
             if ended.returncode == 3 and "expected distinct points" in ended.stderr:  # nothing holds of these
                 self.truths[key] = {"verdict": "input", "rules": []}
@@ -81,6 +109,19 @@ class Programs:
                 self.truths[key] = json.loads(ended.stdout)["results"][0]
         return self.truths[key]
 
+    def learn(self, questions):
+        """Asks at once what differs in the mesh alone; what cannot be told at once is asked by itself later (`truth`)."""
+        meshes = collections.defaultdict(dict)
+        for claim, mesh, *options in questions:
+            if (claim, str(mesh), *map(str, options)) not in self.truths:
+                meshes[claim, *map(str, options)][str(mesh)] = None
+        for (claim, *options), paths in meshes.items():
+            ended = self.run("check", *paths, *options, "--claim", claim, "--format", "json", "--max-errors", 0, "--by", "definition",
+                             "--limit", "10s")
+            for result in json.loads(ended.stdout)["results"]:
+                if "verdict" in result:
+                    self.truths[(claim, result["mesh"], *options)] = result
+
 
 class Subject:
     """A file that circumspect-verified reads, the user's files it is about, and what is so of these."""
@@ -90,10 +131,10 @@ class Subject:
         self.kind = kind  # of a domain
 
     def hold(self):
-        line, code = self.programs.answer(self.file, *self.own)
+        line, code = self.programs.answer_by_itself(self.file, *self.own)
         if code != 0:
             raise Wrong(f"{self.file} of {self.own}: {line}")
-        truth = self.judge(line, self.own)
+        truth = self.judge(line)
         rules = re.match("verified: not [a-z-]+, ([a-z.-]+(?: or [a-z.-]+)*)", line)
         broken_rules = {each["rule"] for each in truth["rules"]} if truth else set()
         names_same = not line.startswith("verified: not periodic-delaunay")  # docs/certificates.md: its rules are others
@@ -101,30 +142,32 @@ class Subject:
             raise Wrong(f"{line} -- by the definitions other rules are broken: {broken_rules}")
 
 
-def judged_mesh(programs, mesh, domain, kind):
-    """Asks whether a line of circumspect-verified is so, of the user's files or, without them, of this mesh: the oracle's verdict."""
-    def judge(line, own):
-        about = [own[1]] if len(own) > 1 else [mesh]
-        stated = re.match("verified: (not )?([a-z-]+)", line)
-        if stated is None:
-            raise Wrong(line)
-        if domain is not None:  # a refutation that looks at vertices and segments alone names no kind
-            filled = re.search("domain: (enclosed|hull)", line)
-            about += ["--domain", domain, "--domain-kind", filled[1] if filled else kind]
-        lattice = re.search("; lattice: ([^:]+)(:|$)", line)  # which is in no file of the user's
-        if lattice:
-            about += ["--lattice", lattice[1]]
-        truth = programs.truth(stated[2], *about)
-        if truth["verdict"] == "not asked":
-            return truth
-        if (truth["verdict"] == "holds") != (stated[1] is None):
-            raise Wrong(f"{line} -- by the definitions it {truth['verdict']}: {truth['rules']}")
-        if domain is None and stated[1] is None:
-            for standing in ("unique", "canonical"):
-                if f", {standing}" in line and not truth[standing]:
-                    raise Wrong(f"{line} -- it is not {standing}")
+def question(line, mesh, domain, kind):
+    """What the oracle is asked about a line: the claim, the mesh and options."""
+    stated = re.match("verified: (?:not )?([a-z-]+)", line)
+    if stated is None:
+        raise Wrong(line)
+    about = [stated[1], mesh]
+    if domain is not None:  # a refutation that looks at vertices and segments alone names no kind
+        filled = re.search("domain: (enclosed|hull)", line)
+        about += ["--domain", domain, "--domain-kind", filled[1] if filled else kind]
+    lattice = re.search("; lattice: ([^:]+)(:|$)", line)  # which is in no file of the user's
+    return about + (["--lattice", lattice[1]] if lattice else [])
+
+
+def judge_line(programs, line, mesh, domain, kind):
+    """Whether a line of circumspect-verified is so, of this mesh: the oracle's verdict."""
+    truth = programs.truth(*question(line, mesh, domain, kind))
+    if truth["verdict"] == "not asked":
         return truth
-    return judge
+    says_that_it_holds = not line.startswith("verified: not ")
+    if (truth["verdict"] == "holds") != says_that_it_holds:
+        raise Wrong(f"{line} -- by the definitions it {truth['verdict']}: {truth['rules']}")
+    if domain is None and says_that_it_holds:
+        for standing in ("unique", "canonical"):
+            if f", {standing}" in line and not truth[standing]:
+                raise Wrong(f"{line} -- it is not {standing}")
+    return truth
 
 
 class Case:
@@ -193,7 +236,7 @@ def certified(programs, kind, folder, number, dice, counts):
     if ended.returncode not in (0, 1):
         raise Wrong(f"certify {case.mesh} {case.options}: {ended.stderr}")
     counts[f"{kind}: {'certificates' if ended.returncode == 0 else 'refutations'}"] += 1
-    return Subject(programs, file, case.own(), judged_mesh(programs, case.mesh, case.domain, case.kind), case.kind)
+    return Subject(programs, file, case.own(), lambda line: judge_line(programs, line, case.mesh, case.domain, case.kind), case.kind)
 
 
 def impossible(programs, folder, number, dice, counts):
@@ -210,7 +253,7 @@ def impossible(programs, folder, number, dice, counts):
                                        "60s").stdout
         return f"{what}: none (proved)" in found[kind]
 
-    def judge(line, own):
+    def judge(line):
         stated = re.match("verified: no (triangulation|CDT) without Steiner points; domain: (enclosed|hull)", line)
         names = {"CDT": "constrained Delaunay triangulation", "triangulation": "triangulation without Steiner points"}
         if stated is None or not (lacks(names[stated[1]], stated[2]) or lacks(names["triangulation"], stated[2])):
@@ -227,27 +270,36 @@ def impossible(programs, folder, number, dice, counts):
     return None
 
 
-def changed_number(token, numbers, dice):
+NUMBER = re.compile("-?[0-9]+|-")
+HEAD = re.compile("[a-z][a-z.-]*")
+
+
+def a_number(lines, dice):
+    """One of those in a file, but for the longest."""
+    row = dice.choice([row for row in lines if row] or [["1"]])
+    return next((token for token in dice.sample(row, len(row)) if token != "-" and len(token) <= 30 and NUMBER.fullmatch(token)), "1")
+
+
+def changed_number(token, lines, dice):
     if token == "-":
-        return dice.choice(numbers)
+        return a_number(lines, dice)
     value = int(token)
-    return str(dice.choice((value + 1, value - 1, -value, 0, 2 * value, int(dice.choice(numbers)))))
+    return str(dice.choice((value + 1, value - 1, -value, 0, 2 * value, int(a_number(lines, dice)))))
 
 
 def forged(text, others, dice):
     """One to three changes, each of one place."""
     lines = [line.split() for line in text.splitlines()]
     for _ in range(dice.choice((1, 1, 1, 2, 3))):
-        heads = [i for i, line in enumerate(lines) if line and re.fullmatch("[a-z][a-z.-]*", line[0])]
-        numbers = [token for line in lines for token in line if re.fullmatch("-?[0-9]{1,30}", token)] or ["1"]
+        heads = [i for i, line in enumerate(lines) if line and HEAD.fullmatch(line[0])]
         row = dice.randrange(len(lines))
         line = lines[row]
         how = dice.randrange(16)
         if how <= 9 and line:  # a number
-            places = [i for i, token in enumerate(line) if re.fullmatch("-?[0-9]+|-", token)]
+            places = [i for i, token in enumerate(line) if NUMBER.fullmatch(token)]
             if places:
                 i = dice.choice(places)
-                line[i] = changed_number(line[i], numbers, dice)
+                line[i] = changed_number(line[i], lines, dice)
         elif how == 10 and len(line) > 1:  # two tokens of a line change places
             i, j = dice.sample(range(len(line)), 2)
             line[i], line[j] = line[j], line[i]
@@ -276,7 +328,7 @@ def forged(text, others, dice):
             if begins:
                 begin = begins[0]
                 end = next((i for i in range(begin + 1, len(other))
-                            if other[i] and re.fullmatch("[a-z][a-z.-]*", other[i][0])), len(other))
+                            if other[i] and HEAD.fullmatch(other[i][0])), len(other))
                 own = next(i for i, each in enumerate(lines) if each[:1] == section)
                 own_end = next((i for i in heads if i > own), len(lines))
                 lines[own:own_end] = other[begin:end]
@@ -287,32 +339,38 @@ def forged(text, others, dice):
 
 def hold_forgeries(subject, count, others, folder, dice, counts):
     """Forgeries of one file, each compared with the user's files or, now and then, with no mesh."""
-    text = subject.file.read_text()
-    file, mesh = folder / "forgery", folder / "forgery.json"
+    programs, text = subject.programs, subject.file.read_text()
     of_mesh = not text.startswith("circumspect-impossibility")
     domain = subject.own[2:]
-    for _ in range(count):
+    stated, meshes = [], {}
+    for number in range(count):
+        file = folder / f"forgery-{number}"
         forgery = rebuilding.rebuilt(text, dice) if of_mesh and dice.random() < 0.5 else None
         is_rebuilt = forgery is not None
         file.write_text(forgery if is_rebuilt else forged(text, others, dice))
         # Of a mesh that is another the user's own would tell.
         own = domain if of_mesh and (is_rebuilt or dice.random() < 0.3) else subject.own
         if own is not subject.own and text.split(None, 3)[2] == "periodic-delaunay":  # of offsets no mesh.json tells
-            own = rebuilding.files_of_cells(file, folder / "forged") or subject.own
-        line, code = subject.programs.answer(file, *own)
+            own = rebuilding.files_of_cells(file, folder / f"forged-{number}") or subject.own
+        line, code = programs.answer(file, *own)
         word = line.split(":", 1)[0] if code != 0 else "verified, and so"
         counts[f"{'rebuilt' if is_rebuilt else 'forgeries'}: {word}"] += 1
         if code != 0:
             continue
-        if own == subject.own:
-            subject.judge(line, own)
-            continue
-        if own != domain:
-            judged_mesh(subject.programs, own[1], None, None)(line, own)
-            continue
-        mesh.write_text(subprocess.run([subject.programs.verified, "--mesh", file], capture_output=True, text=True, check=True).stdout)
-        subject.programs.truths.clear()
-        judged_mesh(subject.programs, mesh, domain[0] if domain else None, subject.kind)(line, [])
+        if own == domain:
+            mesh = folder / f"forged-{number}.json"
+            mesh.write_text(programs.answer("--mesh", file)[0])
+            own = [mesh]
+        # Many forgeries are about the same mesh.
+        same = None if own == subject.own else meshes.setdefault(tuple(each.read_text() for each in own), own[-1])
+        stated.append((file.name, line, same))
+    about_domain = domain[0] if domain else None, subject.kind
+    programs.learn([question(line, same, *about_domain) for _, line, same in stated if same])
+    for name, line, same in stated:
+        try:
+            judge_line(programs, line, same, *about_domain) if same else subject.judge(line)
+        except Wrong as wrong:
+            raise Wrong(f"{name}: {wrong}") from wrong
 
 
 def main():
@@ -356,6 +414,7 @@ def main():
                 counts["wrong"] += 1
                 break
             shutil.rmtree(folder)
+    counts["judged by the lemmas"] = programs.by_lemma
     print(f"inputs: {counts.pop('inputs')} of {len(work)}")
     for what, count in sorted(counts.items()):
         print(f"{what}: {count}")

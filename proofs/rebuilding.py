@@ -76,8 +76,10 @@ class Mesh:
             for a in range(d):
                 ridges.setdefault(frozenset(face[:a] + face[a + 1:]), []).append((h, a))
         pair_up(ridges, beyond)
-        sample = [Fraction(sum(xs), d + 1) for xs in zip(*self.corner_places(0))]
-        w = math.lcm(*(x.denominator for x in sample))
+        # The middle of the first simplex: w times its coordinates, in lowest terms.
+        sums = [sum(xs) for xs in zip(*self.corner_places(0))]
+        w = (d + 1) // math.gcd(d + 1, *sums)
+        sample = [x * w // (d + 1) for x in sums]
 
         def wall(t, i):
             if (t, i) in across:
@@ -85,7 +87,7 @@ class Mesh:
             return ["-", hull.index((t, i)) + 1]
 
         def away(t):
-            places = self.corner_places(t)
+            places = [[x * w for x in place] for place in self.corner_places(t)]
             outer = [i for i in range(d + 1) if side(places, i, sample) < 0]
             return "-" if t == 0 else outer[0] if outer else 0
 
@@ -106,7 +108,7 @@ class Mesh:
         lines += [["hull", len(hull)]]
         lines += [[t + 1, i, *(x for a in range(d) for x in ((beyond[h, a][0] + 1, beyond[h, a][1]) if (h, a) in beyond else (1, 0)))]
                   for h, (t, i) in enumerate(hull)]
-        lines += [["sample", 1, *(int(x * w) for x in sample), w]]
+        lines += [["sample", 1, *sample, w]]
         rest = self.lines[self.sample + 1:]
         if self.marks is not None:
             begin = self.marks.begin - self.sample - 2

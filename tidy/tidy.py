@@ -131,6 +131,10 @@ BANNER = re.compile(r"\s*(//|#|/\*|\(\*) ?(-{3,} .*-{3,}|-{8,} ?\w|─{2,} .*─
 COMMENT = {".py": "#", ".sh": "#", ".cmake": "#", "CMakeLists.txt": "#", **dict.fromkeys(CPP + SCRIPTS, "//")}
 NO_FUNCTION = re.compile(r"(template *<.*>)?\s*(inline )?(namespace|class|struct|enum|union|extern)\b")
 LONG = re.compile(r"\blong \w+ = (?:[0-9]'?){11,};")
+# std::minmax, or a reference to what std::max and its like return, of what a call made: it is gone at the end of the line.
+OF_CALLS = r"\((?!\{)[^;{}]*\w\([^;{}]*\);"
+DANGLING = re.compile(r"\bauto(?: \w+| ?&&? ?\w+| ?&{0,2} ?\[[^\]]*\]) = std::(?:ranges::)?minmax" + OF_CALLS +
+                      r"|\bauto ?&&? ?\w+ = std::(?:ranges::)?(?:min|max|clamp)" + OF_CALLS)
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 LAYER = re.compile(r"circumspect_layer\((\w+)\s+([\w/]+)([^)]*)\)")
 NOT_CODE = re.compile(
@@ -317,6 +321,9 @@ class Tidy:
                 self.fault(path, number, "floating-point",
                            "kernel and reference compute exactly; take a Rational")
 
+        for found in DANGLING.finditer(code):
+            self.fault(path, code.count("\n", 0, found.start()) + 1, "dangling",
+                       "it refers to what is gone; give std::minmax a list, and take values of std::min and std::max")
         if not is_test(path) and path not in CROSS_PRODUCT_FILES:
             for product in CROSSWISE.finditer(code):
                 if is_cross_product(product.groups()):

@@ -124,6 +124,14 @@ class Libraries(unittest.TestCase):
         self.assertEqual(rules("kernel/exact/a.cpp", "constexpr long kMost = 1'000'000'000'000;\n"), ["long"])
         self.assertEqual(rules("kernel/exact/a.cpp", "constexpr long kMost = 1'000'000'000;\n"), [])
 
+    def test_nothing_refers_to_what_a_call_returned(self):
+        for text in ["const auto ends = std::minmax(at(a), at(b));\n", "const auto [low, high] = std::minmax(3, rank(b));\n",
+                     "const auto& most = std::max(first(), 3);\n", "auto&& most = std::clamp(size(a), 1, 2);\n"]:
+            self.assertEqual(rules("oracle/judge/points/a.cpp", text), ["dangling"], text)
+        for text in ["const auto ends = std::minmax({at(a), at(b)});\n", "const auto [low, high] = std::minmax(a[0], a[(i + 1) % 3]);\n",
+                     "const auto most = std::max(first(), 3);\n", "const Ends ends = std::minmax(at(a), at(b));\n"]:
+            self.assertEqual(rules("oracle/judge/points/a.cpp", text), [], text)
+
     def test_what_runs_in_a_browser_has_no_algorithms_of_ranges(self):
         for folder in ["reference/delaunay", "oracle/judge/points", "command/check"]:
             self.assertEqual(rules(f"{folder}/a.cpp", "return std::ranges::find(a, b);\n"), ["ranges"])

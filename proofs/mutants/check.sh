@@ -54,6 +54,12 @@ found=$("$program" "$again/nobodys") || true
   echo "the triangle with a point that is nobody's: found '$found'" >&2
   failures=$((failures + 1))
 }
+# A file that nobody can read says nothing, as one that is malformed.
+found=$("$program" "$again/absent") && code=0 || code=$?
+[[ "$found" == "malformed: cannot read $again/absent: "* && "$code" -eq 3 ]] || {
+  echo "a file that is not there: expected 'malformed: cannot read ..', exit 3; found '$found', exit $code" >&2
+  failures=$((failures + 1))
+}
 # The same triangle as its user's own files, and as files of other meshes.
 cd "$again"
 users() {  # what is expected, then options, MESH.node and MESH.ele
@@ -193,6 +199,11 @@ printf '7 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 1/2\n5 1 1\n6 1/2 3/2\n' >dangling.
 printf '1 3\n0 0 1 2\n' >dangling.ele
 printf '3 1\n0 0 1 1\n1 6 1 0\n2 6 1 -1\n' >dangling.edge
 domain "verified: not steiner-cdt, complex.overlap; 1 dangling face; *: dangling.node dangling.ele dangling.edge" dangling.node dangling.ele
+found=$(sed '/^dangling/{n;s/^2 /0 /}' "$certificate" | "$program" -) || true
+[[ "$found" == "malformed: -:"*": expected 1 to 2 vertices, and points that make them a simplex, found '0'" ]] || {
+  echo "$certificate with a face without vertices: found '$found'" >&2
+  failures=$((failures + 1))
+}
 [[ "$("$program" --mesh "$certificate")" == *'"faces": ['?'[6, 1]]}' ]] || {
   echo "$certificate: --mesh leaves out what dangles" >&2
   failures=$((failures + 1))

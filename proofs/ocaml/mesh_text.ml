@@ -8,7 +8,7 @@ let print_each count item =
   for i = 0 to count - 1 do print_string (if i = 0 then "\n" else ",\n"); print_string (item i) done
 let print_lines items = let items = Array.of_list items in print_each (Array.length items) (Array.get items)
 
-(* Where labels are those of consecutive numbers, vertices have them too; else they count from 1. *)
+(* Prints all lines but the last, and returns that.  Where labels are those of consecutive numbers, vertices have them too; else they count from 1. *)
 let print (mesh : Users_mesh.mesh) =
   let p, q = mesh.unit in
   let unit_to n = Q.make (Big.pow p n) (Big.pow q n) in
@@ -45,4 +45,4 @@ let print (mesh : Users_mesh.mesh) =
      print_string "],\n\"faces\": [";
      print_lines (List.rev (List.rev_map (fun row -> listed (List.map vertex row)) dangling))
    | Some [] | None -> ());
-  print_endline "]}"
+  "]}"

@@ -114,12 +114,12 @@ let dangling c (mesh : refutation) =
   if not (Text.is_next c.Reading.source "pads") then { pads = []; dangling = [] }
   else begin
     let pads = section c "pads" "coordinates" (site c "coordinates" false) in
-    let expected = "at most " ^ string_of_int c.d ^ " vertices, and points that make them a simplex" in
+    let expected = "1 to " ^ string_of_int c.d ^ " vertices, and points that make them a simplex" in
     let points = List.length mesh.sites in
     let dangling = section c "dangling" expected (fun tokens ->
         let sizes, rest = take c count 1 expected tokens in
         let size = List.hd sizes in
-        if size > c.d then Text.fail c.source expected (Text.quote (string_of_int size));
+        if size < 1 || size > c.d then Text.fail c.source expected (Text.quote (string_of_int size));
         let own, rest = take c vertex size expected rest in
         List.iter (function
             | Some k when k > points -> Text.fail c.source "a point of the mesh" (string_of_int k)
