@@ -110,7 +110,7 @@ compiler_for_arm64() {
 # What was made is asked where it was unpacked.
 arm64() {
   compiler_for_arm64
-  archive_for arm64 aarch64-linux-gnu
+  archive_for arm64 aarch64-linux-gnu -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2  # strip would take -g away again
   cp "$root"/root/circumspect/build/dist/*-aarch64.tar.gz "$folder/arm64/"
   inside 'rm -rf /root/arm64 && mkdir /root/arm64 && tar -C /root/arm64 --strip-components=1 -xzf build/dist/*-aarch64.tar.gz'
   [ -f "$root/root/arm64/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive for arm64"
