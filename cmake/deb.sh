@@ -25,7 +25,8 @@ cd "$sources"
 export CCACHE_DIR=${CCACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/ccache}
 # Debian's own programs and no others that stand before them, as another Python.
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
-export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym"
+# Without packages of symbols, what -g adds would be stripped again.
+export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym" DEB_CXXFLAGS_STRIP=-g
 # The copy is no repository, and `circumspect --version` says of which commit it is.
 export CIRCUMSPECT_COMMIT=${CIRCUMSPECT_COMMIT:-$(git -C "$root" describe --always --dirty=-modified --abbrev=12 --exclude='*' 2>/dev/null || true)}
 how=(--build=binary --no-sign --jobs="${JOBS:-$(nproc)}")

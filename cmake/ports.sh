@@ -37,6 +37,7 @@ step() {
 if [ -z "${ROOT:-}" ]; then
   rm -rf --one-file-system "$root"
   step "making a bare Debian 13" debootstrap --variant=minbase trixie "$root" "$mirror"
+  echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"  # no fsync for each file of a root that goes
 fi
 
 # Mounts end with the process that needs them.
@@ -100,14 +101,18 @@ debian-13() {
   tail -n 1 "$log"
 }
 
-# What was made is asked where it was unpacked.
-arm64() {
+compiler_for_arm64() {
   local libraries
   libraries=$(for name in gmp mpfr cadical pugixml tbb fmt cgal boost; do printf 'lib%s-dev:arm64 ' $name; done)
   step "installing what compiles for arm64, and qemu" inside \
     "dpkg --add-architecture arm64 && apt-get -q update &&
      apt-get install -q -y --no-install-recommends g++-aarch64-linux-gnu zlib1g-dev:arm64 libzstd-dev:arm64 liblzma-dev:arm64 $libraries qemu-user"
-  archive_for arm64 aarch64-linux-gnu
+}
+
+# What was made is asked where it was unpacked.
+arm64() {
+  compiler_for_arm64
+  archive_for arm64 aarch64-linux-gnu -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2  # strip would take -g away again
   cp "$root"/root/circumspect/build/dist/*-aarch64.tar.gz "$folder/arm64/"
   inside 'rm -rf /root/arm64 && mkdir /root/arm64 && tar -C /root/arm64 --strip-components=1 -xzf build/dist/*-aarch64.tar.gz'
   [ -f "$root/root/arm64/share/man/man1/circumspect-check.1" ] || fail "expected man pages in the archive for arm64"
@@ -134,6 +139,7 @@ s390x() {
 }
 
 arm64-packages() {
+  compiler_for_arm64
   step "installing what makes Debian packages" inside \
     'apt-get install -q -y --no-install-recommends build-essential debhelper dpkg-dev fakeroot lintian'
   step "the Debian packages for arm64" inside \

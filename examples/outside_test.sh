@@ -107,6 +107,10 @@ if command -v pkg-config >/dev/null; then
     pkg-config --cflags --libs circumspect-c)
   # shellcheck disable=SC2086
   quietly gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -o "$work/c-by-pkg-config" "$examples/c/check.c" $flags
+  if command -v meson >/dev/null; then
+    quietly meson setup --pkg-config-path "$(dirname "$(find "$work/installed" -name circumspect-c.pc)")" "$work/meson" "$work/examples/c"
+    quietly meson compile -C "$work/meson"
+  fi
 fi
 
 echo "the C library, from C and from ctypes"
@@ -114,7 +118,8 @@ library=$(find "$work/installed" -name libcircumspect.so)
 export LD_LIBRARY_PATH=${library%/*}
 quietly cmake -S "$work/examples/c" -B "$work/c" -DCMAKE_PREFIX_PATH="$work/installed"
 quietly cmake --build "$work/c"
-for program in "$work/c/check" "$work"/c-by-pkg-config; do
+for program in "$work/c/check" "$work/c-by-pkg-config" "$work/meson/check"; do
+  [ -x "$program" ] || continue  # without pkg-config, or Meson
   "$program" >"$work/said" || fail "the C library was wrong"
   grep -q "^delaunay.facet-not-local: vertex 3 in a ball of squared radius 1/2" "$work/said" || fail "expected a witness"
 done
