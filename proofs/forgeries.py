@@ -99,7 +99,7 @@ class Programs:
             if ended.returncode == 4:  # a lattice with a long vector takes the definitions long
                 self.by_lemma += 1
                 ended = self.run(*asked)
-            if ended.returncode == 3 and "expected distinct points" in ended.stderr:  # nothing holds of these
+            if ended.returncode == 3 and re.search("expected distinct points|expected simplices, found none", ended.stderr):  # nothing holds of these
                 self.truths[key] = {"verdict": "input", "rules": []}
             elif ended.returncode == 3 and "the lattice moves none to another" in ended.stderr:  # docs/theory/definitions.md
                 self.truths[key] = {"verdict": "not asked", "rules": []}
