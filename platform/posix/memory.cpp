@@ -1,6 +1,8 @@
 #include "platform/memory.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <new>
 
 #include <sys/mman.h>
@@ -8,8 +10,25 @@
 #include "platform/posix/descriptors.hpp"
 
 namespace circumspect::platform {
+namespace {
+
+// The system takes longer to map less than that, and to clear its first pages, than to judge a
+// small mesh in it.
+constexpr std::size_t kLeastMapped = std::size_t{1} << 16;
+
+void* allocate_zeros(std::size_t bytes) {
+  constexpr std::size_t kCacheLine = 64;
+  const std::size_t rounded = (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
+  auto* const memory = static_cast<char*>(std::aligned_alloc(kCacheLine, rounded));
+  if (memory == nullptr) throw std::bad_alloc();
+  std::fill_n(memory, bytes, '\0');
+  return memory;
+}
+
+}  // namespace
 
 void* map_memory(std::size_t bytes) {
+  if (bytes < kLeastMapped) return allocate_zeros(bytes);
   constexpr std::size_t kPage = std::size_t{1} << 21;
   if (bytes > PTRDIFF_MAX - kPage) throw std::bad_alloc();
   void* const mapped =
@@ -24,6 +43,12 @@ void* map_memory(std::size_t bytes) {
   return mapped;
 }
 
-void unmap_memory(void* memory, std::size_t bytes) { munmap(memory, bytes); }
+void unmap_memory(void* memory, std::size_t bytes) {
+  if (bytes < kLeastMapped) {
+    std::free(memory);
+  } else {
+    munmap(memory, bytes);
+  }
+}
 
 }  // namespace circumspect::platform
