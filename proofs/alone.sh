@@ -37,6 +37,8 @@ while IFS=$'\t' read -r mesh claim verdict; do
 done <expected.tsv
 periodic=0
 while IFS=$'\t' read -r mesh options verdict _; do
+  # None is written that shows these: docs/certificates.md.
+  case $verdict in triangulation.unknown-vertex | simplex.wrong-dimension | simplex.orientation | complex.overlap) continue ;; esac
   code=0
   # The options are several words.
   # shellcheck disable=SC2086
@@ -51,4 +53,4 @@ while IFS=$'\t' read -r mesh options verdict _; do
   periodic=$((periodic + 1))
 done < <(grep -v '^#' periodic/expected.tsv)
 echo "$accepted certificates and $refuted refutations of meshes alone verified, $hulls of hulls, $surfaces of surfaces, $periodic that a lattice repeats"
-[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 12 ] && [ "$surfaces" -ge 5 ] && [ "$periodic" -ge 11 ]
+[ "$accepted" -ge 6 ] && [ "$refuted" -ge 7 ] && [ "$hulls" -ge 12 ] && [ "$surfaces" -ge 5 ] && [ "$periodic" -ge 13 ]

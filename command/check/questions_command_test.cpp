@@ -1,6 +1,8 @@
 // check --claim convex-hull, surface-delaunay and voronoi, and build voronoi: options, what is
 // refused, and that what is built holds.
 #include <fstream>
+#include <iterator>
+#include <set>
 #include <sstream>
 
 #include <doctest/doctest.h>
@@ -93,6 +95,9 @@ TEST_CASE(
   const std::string corpus = CIRCUMSPECT_CORPUS_DIR "/periodic/";
   std::ifstream table(corpus + "expected.tsv");
   const ScratchFolder folder;
+  const std::set<std::string> without_refutation = {"triangulation.unknown-vertex",
+                                                    "simplex.wrong-dimension",
+                                                    "simplex.orientation", "complex.overlap"};
   std::size_t rows = 0;
   for (std::string line; std::getline(table, line); ++rows) {
     INFO(line);
@@ -101,22 +106,28 @@ TEST_CASE(
     std::getline(columns, mesh, '\t');
     std::getline(columns, options, '\t');
     std::getline(columns, rule, '\t');
-    const std::size_t blank = options.find(' ');
-    const std::vector<std::string> how = {options.substr(0, blank), options.substr(blank + 1)};
+    std::istringstream words(options);
+    const std::vector<std::string> how{std::istream_iterator<std::string>(words), {}};
     const Run judged = checked(corpus + mesh, "periodic-delaunay", how);
     CHECK(judged.exit_code == (rule == "holds" ? 0 : 1));
     CHECK(has(judged.out, rule == "holds" ? "holds: periodic-delaunay" : mesh + " " + rule + " "));
-    const Run defined =
-        checked(corpus + mesh, "periodic-delaunay", {how[0], how[1], "--by", "definition"});
-    CHECK(defined.exit_code == judged.exit_code);
-    const Run certified = run({"certify", corpus + mesh, "--claim", "periodic-delaunay", how[0],
-                               how[1], "-o", folder.path("proof")});
+    std::vector<std::string> by_definition = how;
+    by_definition.insert(by_definition.end(), {"--by", "definition"});
+    CHECK(checked(corpus + mesh, "periodic-delaunay", by_definition).exit_code == judged.exit_code);
+    std::vector<std::string> certify = {"certify",           corpus + mesh, "--claim",
+                                        "periodic-delaunay", "-o",          folder.path("proof")};
+    certify.insert(certify.end(), how.begin(), how.end());
+    const Run certified = run(certify);
+    if (certified.exit_code == 2) {
+      CHECK(without_refutation.contains(rule));
+      continue;
+    }
     CHECK(certified.exit_code == judged.exit_code);
     CHECK(has(contents(folder.path("proof")), rule == "holds"
                                                   ? "circumspect-certificate 1 periodic-delaunay "
                                                   : "circumspect-refutation 2 periodic-delaunay "));
   }
-  CHECK(rows >= 11);
+  CHECK(rows >= 17);
 }
 
 TEST_CASE("check --claim periodic-delaunay: corners are named, and told where they are") {
