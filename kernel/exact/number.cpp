@@ -18,8 +18,8 @@ Rational exact_value(double value) {
 
 namespace {
 
-// Is it surely a double, since it has few bits over a power of two, and is far from the least? Says
-// so of most that are one, and makes no number.
+// Is the number certainly a double, as it has few bits over a power of two that is not too small?
+// This needs no other number, and recognizes most doubles; false says nothing.
 bool is_surely_double(const Rational& value) {
   constexpr std::size_t kBits = std::numeric_limits<double>::digits;
   constexpr std::size_t kFarthest = 900;

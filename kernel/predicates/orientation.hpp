@@ -37,7 +37,8 @@ int side_of_facet(const Configuration& points, std::span<const std::size_t> axes
 // Within the affine hull of all points.
 int side_of_facet(const Configuration& points, std::span<const Vertex> facet, Vertex q);
 
-// The orientation of the simplex with q in the stead of the vertex at `place`.
+// The orientation of the simplex with q in place of its vertex at `place`. Requires:
+// simplex.size() == axes.size() + 1.
 int orientation_with(const Configuration& points, std::span<const std::size_t> axes,
                      std::span<const Vertex> simplex, std::size_t place, Vertex q);
 

@@ -12,8 +12,7 @@
 namespace circumspect::platform {
 namespace {
 
-// The system takes longer to map less than that, and to clear its first pages, than to judge a
-// small mesh in it.
+// To map and clear fewer bytes than that takes longer than to judge the small mesh that needs them.
 constexpr std::size_t kLeastMapped = std::size_t{1} << 16;
 
 void* allocate_zeros(std::size_t bytes) {

@@ -38,8 +38,7 @@ Integer binomial(std::uint64_t n, std::uint64_t m) {
   Integer result = 1;
   for (std::uint64_t i = 1; i <= m; ++i) {
     result *= to_integer(n - m + i);
-    result /=
-        to_integer(i);  // without a remainder: i numbers that follow each other are its factors
+    result /= to_integer(i);  // leaves no remainder: it has i consecutive factors
   }
   return result;
 }

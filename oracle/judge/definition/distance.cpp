@@ -57,7 +57,7 @@ bool visit_simplices_of(const Points& points, const Visit& visit) {
 
 }  // namespace
 
-// No distance is less than 0.
+// The search ends at 0, since no distance is less.
 Rational squared_distance_between(const Points& a, const Points& b) {
   std::optional<Rational> least;
   visit_simplices_of(a, [&](const Points& of_a) {

@@ -17,8 +17,8 @@ namespace circumspect::check {
 void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                              Verdict& verdict);
 
-// The last but one of these questions alone, of a simplex with this facet on the boundary. `index`
-// is of the points of the mesh.
+// Adds the vertices in the open circumball of a simplex that has this facet on the boundary.
+// `index` holds the points of the mesh.
 void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, std::size_t simplex,
                             const Simplex& facet, Verdict& verdict);
 

@@ -31,8 +31,8 @@ struct Unmapped {
 template <typename T>
 using LargeArray = std::unique_ptr<T[], Unmapped>;
 
-// Allocated directly from the system and returned to it, because memory that an allocator keeps
-// would count as in use. Throws std::bad_alloc.
+// Large arrays come directly from the system and return to it, because memory that an allocator
+// keeps would count as in use. Throws std::bad_alloc.
 template <typename T>
 LargeArray<T> large_array(std::size_t count) {
   static_assert(std::is_trivial_v<T>);

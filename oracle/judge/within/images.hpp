@@ -75,7 +75,8 @@ class Images {
     bool knows_before = false;
     std::optional<Rational> before = {};  // none: all that are larger
 
-    // Most are asked about one reach alone. `next`: the change after `from`.
+    // Finds the next change only when another reach is asked for, which most images never see.
+    // `next(from)`: the least reach after `from` at which the image may change.
     template <class Next>
     bool is_about(const Rational& squared_reach, const Next& next) {
       if (squared_reach == from) return true;
