@@ -9,6 +9,7 @@
 #include "inputs/dice.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
+#include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/stray_faces.hpp"
 #include "oracle/model/listed_mesh_test.hpp"
@@ -286,6 +287,66 @@ TEST_CASE("complex: a part within another one overlaps it, whichever of many tha
       CHECK(verdict.tallies().contains(Rule::kOverlap) == (within < kParts));
     }
   }
+}
+
+// Simplices of a grid in which some vertices are in no facet of the boundary: most of them, or those
+// at one such vertex alone.
+std::vector<Simplex> some_of_grid(Dice& dice, std::size_t d, std::size_t side) {
+  const auto rows =
+      d == 2 ? fast::grid_mesh<2>(side).simplices : fast::grid_mesh<3>(side).simplices;
+  const Vertex inner = d == 2 ? 12 : 21;
+  const bool is_star = dice.below(2) == 0;
+  const std::size_t left_out = dice.below(4);  // of ten
+  std::vector<Simplex> simplices;
+  for (std::size_t i = 0; i < rows.size(); i += d + 1) {
+    Simplex simplex;
+    for (std::size_t k = 0; k <= d; ++k) simplex.push_back(rows[i + k]);
+    if (is_star ? contains(simplex, inner) : dice.below(10) >= left_out) {
+      simplices.push_back(simplex);
+    }
+  }
+  return simplices;
+}
+
+// Some of several grids in a row; each may touch the one before it at a vertex. All points are used.
+ListedComplex of_several_grids(Dice& dice, std::size_t d) {
+  const long side = d == 2 ? 5 : 4;
+  ListedComplex mesh;
+  std::map<Point, Vertex> known;
+  Rational moved = 0;
+  for (std::size_t grids = 1 + dice.below(3); grids > 0; --grids) {
+    for (Simplex& simplex : some_of_grid(dice, d, static_cast<std::size_t>(side))) {
+      for (Vertex& v : simplex) {
+        Point point;
+        for (std::size_t axis = 0; axis < d; ++axis, v /= side) point.push_back(v % side + moved);
+        const auto [found, is_new] = known.emplace(point, static_cast<Vertex>(known.size()));
+        if (is_new) mesh.points.push_back(point);
+        v = found->second;
+      }
+      mesh.simplices.push_back(simplex);
+    }
+    moved += side - static_cast<long>(dice.below(2));
+  }
+  return mesh;
+}
+
+TEST_CASE("complex: parts with vertices inside are counted as by lemma") {
+  std::size_t fast = 0, several = 0;
+  for (const std::size_t d : {2u, 3u}) {
+    CHECK(holds("parts with vertices inside", d == 2 ? 200 : 60, [&, d] {
+      Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+      const ListedComplex listed = of_several_grids(dice, d);
+      const Mesh mesh = in_arrays(listed);
+      const Verdict by_lemma = check::judge_complex(listed, {}, false, 0);
+      const Verdict of_arrays =
+          check::judge(Claim::kComplex, mesh, nullptr, {.max_violations = 0}).value();
+      RC_ASSERT(text(of_arrays, mesh) == text(by_lemma, mesh));
+      fast += of_arrays.course.fast ? 1 : 0;
+      several += of_arrays.complex->parts > 1 ? 1 : 0;
+    }));
+  }
+  CHECK(occurs(fast));
+  CHECK(occurs(several));
 }
 
 TEST_CASE("complex: by lemma and by definition the same is said of every mesh") {
