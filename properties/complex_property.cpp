@@ -289,8 +289,8 @@ TEST_CASE("complex: a part within another one overlaps it, whichever of many tha
   }
 }
 
-// Simplices of a grid in which some vertices are in no facet of the boundary: most of them, or those
-// at one such vertex alone.
+// Simplices of a grid in which some vertices are in no facet of the boundary: most of them, or
+// those at one such vertex alone.
 std::vector<Simplex> some_of_grid(Dice& dice, std::size_t d, std::size_t side) {
   const auto rows =
       d == 2 ? fast::grid_mesh<2>(side).simplices : fast::grid_mesh<3>(side).simplices;
@@ -308,7 +308,8 @@ std::vector<Simplex> some_of_grid(Dice& dice, std::size_t d, std::size_t side) {
   return simplices;
 }
 
-// Some of several grids in a row; each may touch the one before it at a vertex. All points are used.
+// Some of several grids in a row; each may touch the one before it at a vertex. All points are
+// used.
 ListedComplex of_several_grids(Dice& dice, std::size_t d) {
   const long side = d == 2 ? 5 : 4;
   ListedComplex mesh;
