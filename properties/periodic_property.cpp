@@ -330,8 +330,10 @@ TEST_CASE("periodic-delaunay: balls are looked at once every point is a vertex")
                      .offsets = {{0, 0, 1, 0, 1, 1}, {0, 0, 0, 1, 1, 1}}};
   const std::vector<Simplex> cells(2, {0, 0, 0});
   CHECK(broken_by_definition({{0, 0}}, cells, how).empty());
-  CHECK(broken_by_definition({{0, 0}, {Rational(1, 2), Rational(1, 3)}}, cells, how) ==
-        std::set{Rule::kUnusedPoint});
+  const Point unused = {Rational(1, 2), Rational(1, 3)};
+  CHECK(broken_by_definition({{0, 0}, unused}, cells, how) == std::set{Rule::kUnusedPoint});
+  const std::vector<Simplex> of_the_second(2, {1, 1, 1});
+  CHECK(broken_by_definition({unused, {0, 0}}, of_the_second, how) == std::set{Rule::kUnusedPoint});
 }
 
 TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either direction") {
