@@ -49,6 +49,10 @@ std::string difference(const WrittenForm& form, const WrittenMesh& mesh) {
     return form.name + ": other triangles";
   }
   if (from_zero(file->edges, first) != expected.edges.simplices) return form.name + ": other edges";
+  for (const SimplexFile* const list : {&file->edges, &file->triangles, &file->tetrahedra}) {
+    if (list->first_index != first) return form.name + ": simplices from another index";
+    if (list->vertices_per_simplex != list->simplices.columns()) return form.name + ": other sizes";
+  }
   return "";
 }
 
@@ -292,6 +296,11 @@ TEST_CASE("gmsh 2: what is refused") {
           "f:13: expected edges, triangles and tetrahedra, found an element of Gmsh's type " +
               type);
   }
+  std::string binary = gmsh_2(kTwoTetrahedra, ByteOrder::kLittleEndian);
+  binary.replace(binary.find("$Elements\n5") + 10, 1, "1");
+  const std::size_t block = binary.find("$Elements\n") + 12 + 4;
+  CHECK(error_of(gmsh(binary.replace(block, 4, std::string("\2\0\0\0", 4))))
+            .find("expected 1 elements, found 2 in blocks at byte ") != std::string::npos);
   CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n", 2))) ==
         "f:14: expected element 2 of 2, an integer, found \"$EndElements\"");
   CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n2 1 2 0 1 1 2\n"))) ==

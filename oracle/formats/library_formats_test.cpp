@@ -88,6 +88,7 @@ TEST_CASE("mfem: coordinates of vertices, attributes, boundary") {
           std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, exact_value(0.1)}});
     CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
     CHECK(file->tetrahedra.labels == std::vector<Vertex>{7});
+    CHECK(file->tetrahedra.vertices_per_simplex == 4);
     CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
     CHECK(file->notes.empty());
   }
@@ -229,6 +230,25 @@ TEST_CASE("dolfin: vertices and cells, exactly; told by its content among other 
                   kDouble);
   REQUIRE_MESSAGE(refused, error_of(refused));
   CHECK(refused->first_other->name == "a quadrilateral");
+}
+
+TEST_CASE("dolfin: cells may come before vertices, and intervals have one dimension") {
+  const std::string cells = "<cells " + kDolfinCells + "</cells>\n";
+  std::string text = dolfin_mesh(kDolfinVertices, "size=\"0\">");
+  text.erase(text.find("<cells"), text.find("</mesh>") - text.find("<cells"));
+  text.insert(text.find("<vertices"), cells);
+  const auto file = read_dolfin(named(text), kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(file->triangles.lines == std::vector<std::size_t>{5});
+  const auto line = read_dolfin(
+      named(dolfin_mesh("size=\"2\"><vertex index=\"0\" x=\"0\"/><vertex index=\"1\" x=\"3\"/>",
+                        "size=\"1\"><interval index=\"0\" v0=\"0\" v1=\"1\"/>",
+                        "celltype=\"interval\" dim=\"1\"")),
+      kDouble);
+  REQUIRE_MESSAGE(line, error_of(line));
+  CHECK(line->points.points == std::vector<Point>{{0}, {3}});
+  CHECK(line->edges.simplices == std::vector<Simplex>{{0, 1}});
 }
 
 TEST_CASE("dolfin: faults and their lines") {

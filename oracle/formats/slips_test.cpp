@@ -116,8 +116,7 @@ struct TextSample {
   std::function<std::string(const std::string& text)> said;
   std::string text;
   Noticed noticed = Noticed::kAlways;
-  bool has_end =
-      true;  // so that it is noticed that the text is cut off: no last part may be missing
+  bool has_end = true;  // so that it is noticed that the text is cut off
   bool has_name_of(const std::string& number) const {  // of a section or of the version
     return (name.starts_with("unv") && (number == "-1" || number.size() > 2)) ||
            (name.starts_with("vtk") && number.ends_with(".1"));
@@ -170,6 +169,7 @@ std::vector<TextSample> samples_of_lists() {
       text_as(".qhull", "3 rbox\n2\n0 0 0\n0.25 1e-3 7\n"),
       text_as(".qhull-i", "2\n0 1 2\n1 2 3\n", Noticed::kNever, false),
       text_as(".msh", "4 1 1\n0 0 0 1\n21 0 0 1\n0 22 0 1\n0 0 23 1\n1 2 3 4 7\n1 2 3 5\n"),
+      text_as(".msh", "3 1 1\n0 0 1\n21 0 1\n0 22 1\n1 2 3 7\n1 2 5\n"),
       text_as(".mesh",
               "MFEM mesh v1.0\n\ndimension\n3\n\nelements\n1\n7 4 0 1 2 3\n\nboundary\n1\n"
               "5 2 0 1 2\n\nvertices\n4\n3\n0 0 0\n21 0 0\n0 22 0\n0 0 23\n"),
@@ -178,6 +178,10 @@ std::vector<TextSample> samples_of_lists() {
               "volumeelements\n1\n7 4 1 2 3 4\nedgesegmentsgi2\n1\n6 0 1 2 -1 -1 1 2 1 0 1 "
               "1\npoints\n4\n0 0 0\n21 0 0\n0 22 0\n0 0 23\nendmesh\n",
               Noticed::kNever),
+      text_as(".bdf",
+              "CORD2R,7,0,10.,0.,0.,10.,3.,4.\n,11.,0.,0.\nGRID,1,7,1.,5.,10.\nGRID,2\n"
+              "GRID,3,,1.\nCTRIA3,1,9,1,2,3\n",
+              Noticed::kNever, false),
       text_as(".msh",
               "$NOD\n3\n1 0 0 0\n2 21 0 0\n3 0 22 0\n$ENDNOD\n$ELM\n2\n1 2 7 1 3 1 2 3\n"
               "2 1 8 1 2 1 2\n$ENDELM\n"),

@@ -1,5 +1,7 @@
 // Surfaces and lines: OFF, STL, PLY and OBJ.
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "oracle/formats/element_domain.hpp"
@@ -244,6 +246,21 @@ TEST_CASE("ply: a cloud of points, and a surface as elements") {
             {"f", "ply\nformat ascii 1.0\nelement dot 1\nproperty int x\nend_header\n1\n"}, kDouble)
             .error()
             .to_string() == "f:5: expected an element vertex, found no element vertex");
+}
+
+TEST_CASE("ply: coordinates may come in any order") {
+  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  std::string axes = "xyz";
+  do {
+    std::string text = begin, numbers;
+    for (const char axis : axes) {
+      text += std::string("property double ") + axis + "\n";
+      numbers += std::to_string(axis - 'x' + 5) + " ";
+    }
+    const auto points = read_ply_file({"f", text + "end_header\n" + numbers + "\n"}, kDouble);
+    REQUIRE_MESSAGE(points, error_of(points));
+    CHECK(points->points.points == std::vector<Point>{{5, 6, 7}});
+  } while (std::next_permutation(axes.begin(), axes.end()));
 }
 
 TEST_CASE("ply: strips of triangles, each turned as the first") {
