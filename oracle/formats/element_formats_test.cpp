@@ -327,6 +327,11 @@ TEST_CASE("gmsh 4.1: what is refused") {
   CHECK(error_of(
             gmsh(kHeader4 + kNodes4 + "$Elements\n1 3 1 3\n3 1 4 1\n1 1 2 3 4\n$EndElements\n")) ==
         "f:19: expected 3 elements in all blocks, found 1");
+  const std::string whole = gmsh_4(kTwoTetrahedra, ByteOrder::kLittleEndian);
+  const std::size_t bounds = whole.find("$Entities\n") + 10 + 32 + 4;
+  CHECK(error_of(gmsh(whole.substr(0, bounds + 23))) ==
+        "f:9: expected a bound of an entity, found the end of the data at byte " +
+            std::to_string(bounds) + ", in $Entities");
   // In binary files, too, a count cannot be trusted.
   std::string binary = gmsh_4({{{0, 0, 0}}, {}}, ByteOrder::kLittleEndian);
   const std::size_t count = binary.rfind("$Nodes") + 7 + 32 + 12 + 32;

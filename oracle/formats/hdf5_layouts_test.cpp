@@ -268,6 +268,41 @@ TEST_CASE("hdf5: numbers that are not there are missed") {
         "f: expected data of the data set \"/x\", found none that were written");
 }
 
+TEST_CASE("hdf5: the header of an object may go on elsewhere, behind a signature") {
+  const auto part = [](unsigned type, const std::string& data) {
+    return little(type, 1) + little(data.size(), 2) + little(0, 1) + data;
+  };
+  const std::string numbers = little(5, 4) + little(6, 4), checksum = little(0, 4);
+  const std::string rest =
+      "OCHK" + part(0x08, little(3, 1) + little(0, 1) + little(8, 2) + numbers) + checksum;
+  const auto file = [&](const std::string& behind, std::size_t length) {
+    constexpr std::size_t kSuperblock = 48;
+    const auto set_with = [&](std::size_t at) {
+      const std::string parts =
+          part(0x03, number_type({})) +
+          part(0x01, little(2, 1) + little(1, 1) + little(0, 2) + little(2, 8)) +
+          part(0x10, little(at, 8) + little(length, 8));
+      return "OHDR" + little(2, 1) + little(0, 1) + little(parts.size(), 1) + parts + checksum;
+    };
+    const std::string root = header(
+        message(0x06, little(1, 1) + little(0, 1) + little(1, 1) + "x" + little(kSuperblock, 8)));
+    const std::size_t root_at = kSuperblock + set_with(0).size();
+    const std::size_t rest_at = root_at + root.size();
+    return "\x89HDF\r\n\x1a\n" + little(2, 1) + little(8, 1) + little(8, 1) + little(0, 1) +
+           little(0, 8) + little(~std::uint64_t{0}, 8) + little(rest_at + behind.size(), 8) +
+           little(root_at, 8) + little(0, 4) + set_with(rest_at) + root + behind;
+  };
+  const auto read = [](const std::string& text) { return read_hdf5(named(text), "/x"); };
+  const std::string whole = file(rest, rest.size());
+  const Source source = named(whole);
+  const auto array = read_hdf5(source, "/x");
+  REQUIRE_MESSAGE(array, error_of(array));
+  CHECK(array->bytes == numbers);
+  CHECK(error_of(read(file("OHDR" + rest.substr(4), rest.size())))
+            .find("expected where a header goes on") != std::string::npos);
+  CHECK(error_of(read(file(rest, 7))).find("expected where a header goes on") != std::string::npos);
+}
+
 TEST_CASE("xdmf: bytes beside it are the same numbers in every type and byte order") {
   const ScratchFolder folder;
   const auto mesh_with = [&](const std::string& attributes, const std::string& path) {
