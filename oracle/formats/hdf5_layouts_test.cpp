@@ -263,6 +263,8 @@ TEST_CASE("hdf5: numbers that are not there are missed") {
   CHECK(said_with({}, lengths, little(1'000'000, 8) + little(kColumns, 8)) ==
         "f: expected at most 1000000 bytes of the data set \"/x\", found more");
   const std::string whole = Hdf5Writer(values, type, {}).file();
+  CHECK(error_of(read_hdf5(named(whole), "/z")) ==
+        "f: expected a data set \"/z\", found no \"z\" in it");
   const std::string address = little(whole.size() - 60, 8) + little(60, 8);
   CHECK(said_with({}, address, std::string(8, '\xff') + little(60, 8)) ==
         "f: expected data of the data set \"/x\", found none that were written");

@@ -323,6 +323,7 @@ TEST_CASE("a mesh that is written is read back, in the plane and in space") {
       const auto read = format_of(ending)->elements(named(out.str()), kDouble);
       REQUIRE_MESSAGE(read, error_of(read));
       CHECK(read->triangles.simplices.size() == 1);
+      CHECK(out.str().find("Tetrahedra") == std::string::npos);  // no list of none
       for (std::size_t i = 0; i < mesh.points.points.size(); ++i) {
         for (std::size_t axis = 0; axis < read->points.points.columns(); ++axis) {
           const Rational expected = axis < dimension ? mesh.points.points.at(i, axis) : Rational(0);

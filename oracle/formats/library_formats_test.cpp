@@ -279,7 +279,6 @@ TEST_CASE("dolfin: faults and their lines") {
         "f:5: expected the index 0, in ascending order, found 1");
   CHECK(vertices("size=\"1\">\n<vertex index=\"0\" x=\"0\"/>") ==
         "f:5: expected y=\"NUMBER\", found none");
-  // The line of an element before the one that was read last.
   CHECK(cells("size=\"2\">\n<triangle index=\"0\" v0=\"0\" v1=\"1\" v2=\"2\"/>\n") ==
         "f:9: expected 2 elements triangle, found 1");
   CHECK(cells("size=\"1\"><triangle index=\"0\" v0=\"0\" v1=\"-1\"/>") ==

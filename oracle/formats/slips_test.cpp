@@ -327,6 +327,15 @@ TEST_CASE("a number that is missing, or stands there twice, changes no mesh unno
   }
 }
 
+TEST_CASE("voronoi: a vertex has as many numbers as there are axes") {
+  const std::string begin = "2\n3 1 1\n-10.101 -10.101\n0.5 0.5\n";
+  const auto said = [&](const std::string& vertex) {
+    return error_of(read_voronoi(named(begin + vertex), kDouble));
+  };
+  CHECK(said("0.5\n") == "f:5: expected vertex 2 with 2 coordinates, found 1 numbers");
+  CHECK(said("0.5 1 2\n") == "f:5: expected vertex 2 with 2 coordinates alone, found \"2\"");
+}
+
 TEST_CASE("a text that is cut off before a number is refused, or changes nothing") {
   for (const TextSample& sample : all_text_samples()) {
     if (!sample.has_end) continue;

@@ -285,6 +285,9 @@ TEST_CASE("ply: what is refused") {
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
   const std::string vertex = "element vertex 1\n" + xyz;
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+  CHECK(with(vertex + "element face 1\nproperty float quality\nproperty list uchar int "
+                      "vertex_indices\nend_header\n0 0 0\n5\n") ==
+        "f:12: expected the number of values of a list, found the end of the line");
   CHECK(error_of(ply("plz\n")) == "f:1: expected the keyword ply, found \"plz\"");
   CHECK(error_of(ply("ply\nformat ascii 2.0\n")) == "f:2: expected version 1.0, found \"2.0\"");
   CHECK(error_of(ply("ply\nformat binary 1.0\n")) ==
