@@ -130,7 +130,10 @@ TEST_CASE("even-odd: two rooms with a wall between them are both entered by one 
   CHECK(nesting_levels(Regions(*complex)).wall_of_no_parity);
   const auto nested = validated(three_boxes(false));
   REQUIRE(nested);
-  CHECK(!nesting_levels(Regions(*nested)).wall_of_no_parity);
+  NestingLevels levels = nesting_levels(Regions(*nested));
+  CHECK(!levels.wall_of_no_parity);
+  std::sort(levels.of_region.begin(), levels.of_region.end());
+  CHECK(levels.of_region == std::vector<std::size_t>{0, 1, 2, 3});
 }
 
 TEST_CASE("in the plane: a square in a square") {

@@ -311,6 +311,26 @@ void check_forbidden(const Soup& soup, const Rational& squared_limit) {
         verdict->steiner_points->count());
 }
 
+// Images that meet do so in a face of the mesh; and what is missing is missing from a cell of the
+// domain.
+void check_witnesses(const tl::expected<Verdict, NotJudged>& verdict, const Soup& soup) {
+  if (!verdict) return;
+  std::vector<Simplex> of_mesh = soup.mesh.faces;
+  of_mesh.insert(of_mesh.end(), soup.mesh.simplices.begin(), soup.mesh.simplices.end());
+  for (const Violation& violation : verdict->violations()) {
+    const Witness& witness = violation.witness;
+    if (violation.rule == Rule::kImagesMeet) {
+      CHECK(!has_repeated_vertex(*witness.face));
+      CHECK(std::any_of(of_mesh.begin(), of_mesh.end(),
+                        [&](const Simplex& of) { return has_face(of, *witness.face); }));
+    }
+    const bool is_missing = violation.rule == Rule::kSegmentMissing ||
+                            violation.rule == Rule::kDomainVertexMissing ||
+                            violation.rule == Rule::kPolygonNotTiled;
+    if (is_missing) CHECK((witness.domain_cell || witness.polygon));
+  }
+}
+
 void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
   std::map<ReachAnswer::Kind, int> seen;
   int held = 0;
@@ -337,6 +357,7 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
                      {.by = By::kDefinition}, nullptr, nullptr, soup.markers);
     CHECK(said(quick) == said(slow));
     check_forbidden(soup, limit * limit);
+    check_witnesses(quick, soup);
     const bool are_triangles = soup.mesh.simplices.empty() && dimension == 3 &&
                                std::all_of(soup.mesh.faces.begin(), soup.mesh.faces.end(),
                                            [](const Simplex& face) { return face.size() == 3; });
