@@ -317,8 +317,9 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     seen.held += by_lemma.holds() ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
     check_stages(by_lemma);
+    const ExactMesh whole = exact(unfolded);
     for (const Violation& violation : by_lemma.violations()) {
-      check_witness(violation, exact(unfolded), *unfolded.copies);
+      check_witness(violation, whole, *unfolded.copies);
     }
   }));
 }

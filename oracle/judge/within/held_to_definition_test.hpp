@@ -145,6 +145,19 @@ inline void count_the_same(const Verdict& all, const ExactMesh& mesh, const Doma
   }
 }
 
+// The same is said whether anything is known of the simplices or not.
+inline void hold_with_known_facts(const tl::expected<Verdict, NotJudged>& verdict,
+                                  const ExactMesh& mesh, const Domain& domain,
+                                  const Markers& markers) {
+  constexpr Claim claim = Claim::kSteinerTriangulation;
+  const auto facts = exact_facts(claim, mesh, domain);
+  if (!facts) return;
+  const auto with = judge_within(claim, mesh, domain, kSquaredLimit, {.max_violations = 0},
+                                 {&*facts}, nullptr, markers);
+  CHECK(with.has_value() == verdict.has_value());
+  if (with && verdict) CHECK(text_of(*with) == text_of(*verdict));
+}
+
 // A lone vertex in a hole, of the domain and of the mesh, changes nothing.
 inline void hold_with_lone_vertex(const Verdict& verdict, const ExactMesh& mesh, Domain domain) {
   if (domain.complex.hole_seeds.empty()) return;
@@ -225,6 +238,7 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   hold_lacking(mesh, complex, found, counts);
   const auto verdict = judge_within(Claim::kSteinerTriangulation, mesh, moved.domain, kSquaredLimit,
                                     {.max_violations = 0}, nullptr, nullptr, markers);
+  hold_with_known_facts(verdict, mesh, moved.domain, markers);
   if (!verdict) {
     ++counts.not_judged;
     CHECK((has_stray || fault != Fault::kNone));

@@ -334,6 +334,23 @@ void check_witnesses(const tl::expected<Verdict, NotJudged>& verdict, const Soup
   }
 }
 
+// However its vertices are numbered, a mesh holds at the same distance, or does not.
+void check_renumbered(const tl::expected<Verdict, NotJudged>& verdict, const Soup& soup,
+                      const Rational& squared_limit) {
+  Markers markers{{}, soup.markers.of_polygons};
+  for (const auto& [triangle, marker] : soup.markers.of_triangles) {
+    markers.of_triangles[renumbered(triangle, soup.mesh.points.size())] = marker;
+  }
+  const auto again = judge_within(Claim::kSteinerTriangulation, renumbered(soup.mesh), soup.domain,
+                                  squared_limit, {}, nullptr, nullptr, markers);
+  REQUIRE(again.has_value() == verdict.has_value());
+  if (!verdict) return;
+  CHECK(again->holds() == verdict->holds());
+  if (!verdict->holds()) return;
+  CHECK(to_string(again->within->squared_reach) == to_string(verdict->within->squared_reach));
+  CHECK(again->dangling == verdict->dangling);
+}
+
 void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
   std::map<ReachAnswer::Kind, int> seen;
   int held = 0;
@@ -362,6 +379,7 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
     CHECK(said(quick) == said(slow));
     check_forbidden(soup, limit * limit);
     check_witnesses(quick, soup);
+    check_renumbered(quick, soup, limit * limit);
     const bool are_triangles = soup.mesh.simplices.empty() && dimension == 3 &&
                                std::all_of(soup.mesh.faces.begin(), soup.mesh.faces.end(),
                                            [](const Simplex& face) { return face.size() == 3; });
