@@ -262,8 +262,8 @@ std::vector<Point> second_cell(const Witness& witness, const ExactMesh& mesh,
   return corners;
 }
 
-// Cells are named by their places, too; where two have common points, the second one is moved there,
-// and one cell is not named twice.
+// Cells are named by their places, too; where two have common points, the second one is moved
+// there, and one cell is not named twice.
 void check_witness(const Violation& violation, const ExactMesh& mesh, const Copies& copies) {
   const Witness& witness = violation.witness;
   if (!witness.places.empty()) RC_ASSERT(witness.places.size() == witness.simplices.size());

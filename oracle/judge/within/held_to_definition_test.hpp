@@ -253,8 +253,7 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   // Only a listed triangle may be listed twice.
   const bool must_fail =
       fault == Fault::kDeleted || (fault == Fault::kRepeated && (!is_sheet || sheet.stray));
-  if (must_fail) CHECK(!verdict->holds());
-  if (!found) CHECK(!verdict->holds());
+  if (must_fail || !found) CHECK(!verdict->holds());
 }
 
 // So many random cases, each on its own seed.

@@ -311,8 +311,8 @@ void check_forbidden(const Soup& soup, const Rational& squared_limit) {
         verdict->steiner_points->count());
 }
 
-// Each fault that is counted has a witness. Images that meet do so in a face of the mesh; and what is
-// missing is missing from a cell of the domain.
+// Each fault that is counted has a witness. Images that meet do so in a face of the mesh; and what
+// is missing is missing from a cell of the domain.
 void check_witnesses(const tl::expected<Verdict, NotJudged>& verdict, const Soup& soup) {
   if (!verdict) return;
   std::size_t counted = 0;
