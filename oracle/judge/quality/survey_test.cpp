@@ -67,6 +67,7 @@ TEST_CASE("extremes and histograms are those of the definition") {
     Dice dice(seed);
     const Mesh mesh = drawn_mesh(dice);
     const Survey found = survey(mesh, 1);
+    CHECK(found.dimension + 1 == static_cast<int>(mesh.simplices.columns()));
     for (const Extreme& extreme : found.extremes) {
       const auto all = defined(extreme.measure, mesh);
       REQUIRE(!all.empty());
