@@ -401,5 +401,30 @@ TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either directio
   }
 }
 
+TEST_CASE("periodic-delaunay: a lattice is refused that has not a vector for each axis") {
+  Mesh listed;
+  listed.coordinates = numbers_of({{0, 0}}, 2);
+  listed.simplices = IndexLists({{0, 0, 0}});
+  for (const std::vector<Point>& lattice : std::vector<std::vector<Point>>{
+           {{1, 0}}, {{1, 0}, {0, 1}, {1, 1}}, {{1, 0}, {0, 1, 0}}, {{1}, {0, 1}}}) {
+    const Periodic how{.lattice = lattice, .offsets = {{0, 0, 1, 0, 0, 1}}};
+    CHECK(
+        check::fault_of_periodic(listed, how).find("a lattice of 2 vectors that span the plane") !=
+        std::string::npos);
+  }
+}
+
+TEST_CASE("periodic-delaunay: flat cells are named, though they span nothing") {
+  Mesh listed;
+  listed.coordinates = numbers_of({{0, 0}}, 2);
+  listed.simplices = IndexLists({{0, 0, 0}});
+  const Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 2, 0}}};
+  const Mesh mesh = check::unfolded(listed, how);
+  CHECK(exact(mesh).points.dimension() == 2);
+  for (const auto by : {check::By::kLemma, check::By::kDefinition}) {
+    CHECK(check::judge_periodic(mesh, {.by = by}).tallies().contains(Rule::kDegenerateSimplex));
+  }
+}
+
 }  // namespace
 }  // namespace circumspect::properties::periodic
