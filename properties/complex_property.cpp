@@ -331,8 +331,8 @@ ListedComplex of_several_grids(Dice& dice, std::size_t d) {
   return mesh;
 }
 
-// What bounds such grids: surfaces that are closed and may touch. At times one triangle is left out,
-// or one or all are turned.
+// What bounds such grids: surfaces that are closed and may touch. At times one triangle is left
+// out, or one or all are turned.
 ListedComplex surfaces_of_several_grids(Dice& dice) {
   ListedComplex mesh = of_several_grids(dice, 3);
   std::map<Simplex, Simplex> facets;  // as they are turned outwards, by their vertices
