@@ -8,7 +8,7 @@
     arrays. *)
 From Coq Require Import ZArith.
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
-From Circumspect Require Import Quick ComplexChecker DomainRefutation WholeRefutation
+From Circumspect Require Import Judge ComplexChecker DomainRefutation WholeRefutation
   ImpossibleChecker.
 From Circumspect Require Import MeshAlone AloneRefutation GiftWrapping HullChecker FlatChecker.
 From Circumspect Require Import SurfaceRefutation LineChecker FlatRefutation HullRefutation.
@@ -56,7 +56,7 @@ Extract Inlined Constant Word.upto => "Word.upto".
 Extract Inlined Constant Word.all => "Word.all".
 Extract Inlined Constant Word.count_of => "List.length".
 Extract Inlined Constant Word.words => "Words.t".
-Extract Inlined Constant Word.of_list => "Words.of_list".
+Extract Inlined Constant Word.of_lists => "Words.of_lists".
 Extract Inlined Constant Word.get => "Words.get".
 
 Extract Inductive Z => "Big.t" [ "Big.zero" "Big.of_int" "(fun n -> Big.of_int (- n))" ]

@@ -32,7 +32,7 @@
     Every claim and every rule of the program stands in docs/certificates.md beside its theorem, or
     with the reason why it has none; more is in README.md, "What is not covered". *)
 From Coq Require Import String Rbase Rfunctions List ZArith.
-From Circumspect Require Import Quick Checker Settling ComplexChecker DomainRefutation.
+From Circumspect Require Import Judge Checker Settling ComplexChecker DomainRefutation.
 From Circumspect Require Import WholeRefutation ImpossibleChecker MeshAlone AloneRefutation.
 From Circumspect Require Import HullChecker FlatChecker LineChecker FlatRefutation.
 From Circumspect Require Import HullRefutation SurfaceRefutation PeriodicChecker GiftWrapping.

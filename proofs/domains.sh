@@ -74,6 +74,18 @@ cp two-rooms.poly "$scratch"
 "$circumspect" certify "$scratch/two-rooms.1.ele" --domain two-rooms.poly --claim steiner-triangulation --quiet -o "$scratch/certificate"
 found=$(ulimit -t 8 && "$verified" "$scratch/certificate" "$scratch"/two-rooms.1.{node,ele} two-rooms.poly) || true
 [[ "$found" == "verified: steiner-triangulation, "*"domain: enclosed, plc, 12 vertices, "* ]] || { echo "many polygons: found '$found'" >&2; exit 1; }
+# The teeth of a comb touch its hull in edges, which are none of the Delaunay triangulation of that
+# face of the hull: what fills it has to have them all the same.
+awk '{ print 2 * NF, 3, 0, 0
+  for (k = 0; k < 2 * NF; ++k) { split($(k % NF + 1), p, ","); print k, p[1], p[2], k < NF ? 0 : 8 }
+  print NF + 2, 0
+  for (z = 0; z < 2; ++z) { printf "1 0\n%d", NF; for (k = 0; k < NF; ++k) printf " %d", k + z * NF; print "" }
+  for (k = 0; k < NF; ++k) print "1 0\n" 4, k, (k + 1) % NF, (k + 1) % NF + NF, k + NF
+  print "0\n0" }' <<<'0,0 20,0 20,10 18,5 16,10 14,6 12,10 10,5 8,10 6,5 4,10 2,6 0,10' >"$scratch/comb.poly"
+(cd "$scratch" && tetgen -pqQ comb.poly >/dev/null)
+"$circumspect" certify "$scratch/comb.1.ele" --domain "$scratch/comb.poly" --claim steiner-triangulation --quiet -o "$scratch/certificate"
+found=$("$verified" "$scratch/certificate" "$scratch"/comb.1.{node,ele} "$scratch/comb.poly") || true
+[[ "$found" == "verified: steiner-triangulation, "*"domain: enclosed, plc, 26 vertices, "* ]] || { echo "a comb: found '$found'" >&2; exit 1; }
 # What is around a mesh may have points that are nobody's. They are none of the mesh, and its own
 # are not these.
 own=(accept/one-triangle-in-space.{node,ele,poly})

@@ -6,6 +6,7 @@
 
 #include "construct/delaunay.hpp"
 #include "kernel/complex/by_facet.hpp"
+#include "kernel/complex/simplex.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "reference/constrained/planar_cdt.hpp"
@@ -44,7 +45,8 @@ std::map<Simplex, Vertex> exposed(const std::vector<Simplex>& tetrahedra) {
   return found;
 }
 
-// The triangles of a face of the hull, which have the edges of those that the mesh has there.
+// The triangles of a face of the hull, which have all edges that the mesh has there: also those of
+// triangles that leave the face.
 std::vector<Simplex> triangles_of_face(const PointSet& points, const Plane& plane,
                                        const std::map<Simplex, Vertex>& walls) {
   std::size_t axis = 0;
@@ -62,14 +64,9 @@ std::vector<Simplex> triangles_of_face(const PointSet& points, const Plane& plan
   };
   std::set<Simplex> edges;
   for (const auto& [triangle, apex] : walls) {
-    if (!std::all_of(triangle.begin(), triangle.end(),
-                     [&](Vertex v) { return plane.has(points[v]); })) {
-      continue;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = i + 1; j < 3; ++j) {
-        edges.insert({place(triangle[i]), place(triangle[j])});
-      }
+    for (const Simplex& edge : faces(triangle, 2)) {
+      if (!plane.has(points[edge[0]]) || !plane.has(points[edge[1]])) continue;
+      edges.insert({place(edge[0]), place(edge[1])});
     }
   }
   const PiecewiseLinearComplex complex{

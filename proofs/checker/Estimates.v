@@ -219,20 +219,6 @@ Proof.
       * apply Z.div_le_lower_bound; [lia|]. nia.
       * apply Z.div_le_upper_bound; [lia|]. nia.
 Qed.
-Lemma estimated_level v p b c : 0 <= s -> 1 <= b <= 2 -> 0 <= c <= 8 ->
-  (let '(x, y, z) := v in
-   (s = 0 -> x = along_x p /\ y = along_y p /\ z = along_z p) /\
-   Z.abs (x - 2 ^ s * along_x p) <= 2 ^ s * c /\ Z.abs (y - 2 ^ s * along_y p) <= 2 ^ s * c /\
-   Z.abs (z - 2 ^ s * along_z p) <= 2 ^ s * c) ->
-  Z.abs (along_x p) <= b * 2 ^ n /\ Z.abs (along_y p) <= b * 2 ^ n /\
-    Z.abs (along_z p) <= b * 2 ^ n ->
-  estimated unit (b * 134217728) (if c <=? 1 then 1 else 2) (times factor v) (leveled n p).
-Proof.
-  destruct v as [[x y] z]. intros Hs Hb Hc (E & X & Y & Z') (X' & Y' & Z'').
-  unfold estimated, times. split; [|split]; cbn [leveled along_x along_y along_z];
-    apply estimate_level; auto;
-    intros Q; now apply E.
-Qed.
 End Level.
 
 (** ** The three signs *)

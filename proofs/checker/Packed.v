@@ -30,15 +30,21 @@ Definition wall_of (x : Word.t) : wall :=
 Definition away_of (x : Word.t) : option nat :=
   if Word.ltb x Word.zero then None else Some (Word.index x).
 
+Definition corners_of (D : plane_or_space) (rows : Word.words) (t : positive) : list positive :=
+  let r := row_of D (Word.of_pos t) in
+  let corner k := Word.to_pos (Word.get rows (Word.add r k)) in
+  match D with
+  | Plane => [corner Word.zero; corner Word.one; corner Word.two]
+  | Space => [corner Word.zero; corner Word.one; corner Word.two; corner Word.three]
+  end.
 Definition entry_of (D : plane_or_space) (rows : Word.words) (t : positive) : simplex_entry :=
   let r := row_of D (Word.of_pos t) in
   let cell k := Word.get rows (Word.add r k) in
-  let corner k := Word.to_pos (cell k) in
   let wall k := wall_of (cell k) in
   match D with
-  | Plane => SimplexEntry [corner Word.zero; corner Word.one; corner Word.two]
+  | Plane => SimplexEntry (corners_of D rows t)
       [wall Word.three; wall Word.four; wall Word.five] (away_of (cell Word.six))
-  | Space => SimplexEntry [corner Word.zero; corner Word.one; corner Word.two; corner Word.three]
+  | Space => SimplexEntry (corners_of D rows t)
       [wall Word.four; wall Word.five; wall Word.six; wall Word.seven] (away_of (cell Word.eight))
   end.
 

@@ -109,17 +109,3 @@ Proof.
   reflexivity.
 Qed.
 End Rows.
-
-(** ** Lists, without recursion that is as deep as they are long *)
-
-Definition all_coordinates (l : list point_entry) : list Z :=
-  rev' (fold_left (fun made e => rev_append (coordinates (position e)) made) l []).
-Lemma all_coordinates_are l : all_coordinates l = flat_map (fun e => coordinates (position e)) l.
-Proof.
-  assert (G : forall made, fold_left (fun made e => rev_append (coordinates (position e)) made) l
-    made =
-    rev (flat_map (fun e => coordinates (position e)) l) ++ made).
-  { induction l as [|e l IH]; intros made; [reflexivity|]. cbn [fold_left flat_map].
-    now rewrite IH, rev_append_rev, rev_app_distr, app_assoc. }
-  unfold all_coordinates, rev'. now rewrite G, app_nil_r, rev_append_rev, rev_involutive, app_nil_r.
-Qed.

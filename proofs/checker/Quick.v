@@ -1,12 +1,12 @@
 (** * A quick check of the tetrahedra of a packed certificate
 
-    Where [quick] is true the certificate is accepted ([QuickSound.v]); where it is false nothing is
-    said, and the checker proper decides.  A tetrahedron is looked at in words alone.  Its
-    determinants are estimated: all edges are scaled so that the longest has about 27 binary digits,
-    and of products no more than 31 are kept; the margins are what that can amount to
-    ([Estimates.v]). Where it is not certain on which side of a circumball an apex is, integers
-    tell, of this apex alone. Where another sign of a tetrahedron is not certain, or one of its
-    conditions fails, it goes to [check_simplex]. *)
+    Where [quick_simplex] is true the checker accepts the tetrahedron ([QuickTetrahedron.v]); where
+    it is false nothing is said, and the checker proper decides ([Judge.v]).  A tetrahedron is
+    looked at in words alone.  Its determinants are estimated: all edges are scaled so that the
+    longest has about 27 binary digits, and of products no more than 31 are kept; the margins are
+    what that can amount to ([Estimates.v]).  Where it is not certain on which side of a circumball
+    an apex is, integers tell, of this apex alone.  Where another sign of a tetrahedron is not
+    certain, or one of its conditions fails, it goes to [check_simplex]. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export PackedCheck.
 From Circumspect Require Import Word.
@@ -55,23 +55,74 @@ Definition depth_margin : Word.t := of_pos (1024 * 2 ^ 28).
 
 (** More things than these are not numbered by words here. *)
 Definition many : Word.t := of_pos (2 ^ 58).
+Definition known (most v : Word.t) : bool := leb one v && leb v most.
+(** The same of a number that is no word. *)
+Definition counted (most : Word.t) (k : positive) : bool :=
+  known most (of_pos k) && Pos.eqb (to_pos (of_pos k)) k.
+(** Without the last [s] digits of coordinates, differences of [n] digits will do: digits that were
+    left out are none of those that are kept. *)
+Definition fine (s n : Word.t) : bool := leb zero n && leb n c60 && (eqb s zero || leb c30 n).
+
+(** ** In rows and in integers, whatever the dimension *)
+
+Section Rows.
+Variables (D : plane_or_space) (m : mesh) (count : Word.t) (rows : Word.words).
+
+(** Corner number [a] of those but number [j] of the simplex whose row begins at [r]. *)
+Definition other_corner (r j a : Word.t) : Word.t :=
+  get rows (add r (if leb j a then add a one else a)).
+Definition is_odd (j : Word.t) : bool := eqb j one || eqb j three.
+
+(** [used], of a vertex. *)
+Definition quick_used (k : positive) (e : point_entry) : bool :=
+  counted count (home e) &&
+  let r := row_of D (of_pos (home e)) in
+  let is_k i := Pos.eqb (to_pos (get rows (add r i))) k in
+  match home_vertex e, D with
+  | Some 0%nat, _ => is_k zero
+  | Some 1%nat, _ => is_k one
+  | Some 2%nat, _ => is_k two
+  | Some 3%nat, Space => is_k three
+  | _, _ => false
+  end.
+
+(** Whether a point is below the witness plane of simplex [K], in integers; and what is asked of the
+    certificate besides that it is accepted.  The plane is that of one simplex for all its walls. *)
+Definition exact_plane (K : list positive) : option (list positive * list site * list Z) :=
+  match find_all (points_of m) K with
+  | Some X => Some (K, X, slope (predicates_of D) X)
+  | None => None
+  end.
+Definition exactly_below (asked : option standing)
+    (plane : option (list positive * list site * list Z)) (k : positive) : bool :=
+  match plane, Table.find k (points_of m) with
+  | Some (K, X, n), Some p =>
+      let z := depth (predicates_of D) X n p in
+      (z <? 0)%Z || (z =? 0)%Z && match asked with
+                                  | None => true
+                                  | Some Unique => false
+                                  | Some Canonical => decided (predicates_of D) K X k p
+                                  end
+  | _, _ => false
+  end.
+End Rows.
+
+(** The coordinates of the points without the last [s] binary digits, one after the other. *)
+Definition places_of (s : Word.t) (l : list point_entry) : Word.words :=
+  of_lists (fun e => map (shifted s) (coordinates (position e))) l.
 
 Section Quick.
-(** The mesh, the rows of its simplices; and the coordinates of the points without the last [s]
-    binary digits, one after the other. *)
+(** The mesh, the rows of its simplices; and the places of the points, and how many digits they are
+    without. *)
 Variables (m : mesh) (count points_count : Word.t) (rows places : Word.words) (s : Word.t).
 (** The sample point the same way, and its denominator. *)
 Variables (sample_place : arrow) (w : Word.t).
 (** What is asked of the certificate besides that it is accepted. *)
 Variable asked : option standing.
 
-(** Digits that were left out are none of those that are kept. *)
-Definition fine (n : Word.t) : bool := leb zero n && leb n c60 && (eqb s zero || leb c30 n).
-
 Definition arrow_to (v : Word.t) : arrow :=
   let k := mul three (sub v one) in
   Arrow (get places k) (get places (add k one)) (get places (add k two)).
-Definition known (most v : Word.t) : bool := leb one v && leb v most.
 
 (** ** Matched facets *)
 
@@ -80,11 +131,6 @@ Definition rotated (k0 k1 k2 l0 l1 l2 : Word.t) : bool :=
   (eqb k0 l0 && eqb k1 l1 && eqb k2 l2) || (eqb k1 l0 && eqb k2 l1 && eqb k0 l2) ||
   (eqb k2 l0 && eqb k0 l1 && eqb k1 l2).
 Definition reflected (k0 k1 k2 l0 l1 l2 : Word.t) : bool := rotated k0 k2 k1 l0 l1 l2.
-
-(** Corner number [a] of those but number [j] of the simplex whose row begins at [r]. *)
-Definition other_corner (r j a : Word.t) : Word.t :=
-  get rows (add r (if leb j a then add a one else a)).
-Definition is_odd (j : Word.t) : bool := eqb j one || eqb j three.
 
 (** [facet_matched] and [back_pointer] across facet [i] of simplex [t], whose other vertices are k0
     k1 k2; [apex_ok u v] says what is asked of vertex [v] of the simplex [u] there. *)
@@ -99,9 +145,9 @@ Definition quick_wall (t : positive) (i : Word.t) (i_is_odd : bool) (k0 k1 k2 x 
     eqb (get rows (add r (add four j))) (add (mul eight (of_pos t)) i) &&
     let v := get rows (add r j) in
     known points_count v && negb (eqb v k0) && negb (eqb v k1) && negb (eqb v k2) &&
-    let l0 := other_corner r j zero in
-    let l1 := other_corner r j one in
-    let l2 := other_corner r j two in
+    let l0 := other_corner rows r j zero in
+    let l1 := other_corner rows r j one in
+    let l2 := other_corner rows r j two in
     (if Bool.eqb i_is_odd (is_odd j) then reflected k0 k1 k2 l0 l1 l2
      else rotated k0 k1 k2 l0 l1 l2) &&
     apex_ok u v.
@@ -116,7 +162,7 @@ Definition quick_outside (t : positive) (pa pd vw wu uv : arrow) (a : Word.t) : 
     (sub (along_y sample_place) (mul w (along_y base)))
     (sub (along_z sample_place) (mul w (along_z base))) in
   let n := size (largest q) in
-  fine n && inside (up one n) q &&
+  fine s n && inside (up one n) q &&
   let q' := leveled n q in
   if eqb a zero then ltb (dot q' vw) (sub zero side_margin)
   else if eqb a one then ltb (dot q' wu) (sub zero side_margin)
@@ -131,24 +177,6 @@ Definition quick_below (n : Word.t) (pd slope : arrow) (det : Word.t) (p : arrow
   inside (up one (add n one)) e &&
   let e' := leveled n e in
   ltb (add (dot slope e') depth_margin) (mul det (down26 (dot e' e'))).
-
-(** The same in integers.  The witness plane is that of one tetrahedron for all of its walls. *)
-Definition exact_plane (a b c d : Word.t) : option (list positive * list site * list Z) :=
-  let K := [to_pos a; to_pos b; to_pos c; to_pos d] in
-  match find_all (points_of m) K with Some X => Some (K, X, slope space_predicates X) | None =>
-    None end.
-Definition exactly_below (plane : option (list positive * list site * list Z)) (k : positive) :
-  bool :=
-  match plane, Table.find k (points_of m) with
-  | Some (K, X, n), Some p =>
-      let z := depth space_predicates X n p in
-      (z <? 0)%Z || (z =? 0)%Z && match asked with
-                                  | None => true
-                                  | Some Unique => false
-                                  | Some Canonical => decided space_predicates K X k p
-                                  end
-  | _, _ => false
-  end.
 
 Definition slope_of (f g h : Word.t) (vw wu uv : arrow) : arrow :=
   let sum x y z := down28 (add (add (mul f x) (mul g y)) (mul h z)) in
@@ -171,7 +199,7 @@ Definition quick_simplex (t : positive) : bool :=
   let ew := arrow_from (arrow_to c) pd in
   let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
   let most := up one n in
-  fine n && inside most eu && inside most ev && inside most ew &&
+  fine s n && inside most eu && inside most ev && inside most ew &&
   let u := leveled n eu in
   let v := leveled n ev in
   let w := leveled n ew in
@@ -185,9 +213,11 @@ Definition quick_simplex (t : positive) : bool :=
     if delaunay_claimed m then
       let slope := slope_of (down26 (dot u u)) (down26 (dot v v)) (down26 (dot w w)) vw wu uv in
       let det' := down28 det in
-      let plane := Table.once (fun _ => exact_plane a b c d) in
+      let plane := Table.once (fun _ =>
+        exact_plane Space m [to_pos a; to_pos b; to_pos c; to_pos d]) in
       fun u v => negb (Pos.ltb t (to_pos u)) ||
-        quick_below n pd slope det' (arrow_to v) || exactly_below (plane tt) (to_pos v)
+        quick_below n pd slope det' (arrow_to v) ||
+        exactly_below Space m asked (plane tt) (to_pos v)
     else fun _ _ => true in
   quick_wall t zero false b c d (get rows (add r four)) below &&
   quick_wall t one true a c d (get rows (add r five)) below &&
@@ -204,15 +234,13 @@ Definition quick_positive (pa pb pc pd : arrow) : bool :=
   let ew := arrow_from pc pd in
   let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
   let most := up one n in
-  fine n && inside most eu && inside most ev && inside most ew &&
+  fine s n && inside most eu && inside most ev && inside most ew &&
   ltb orientation_margin (dot (leveled n eu) (crossed (leveled n ev) (leveled n ew))).
-Definition placed (k : positive) : bool := known points_count (of_pos k) &&
-  Pos.eqb (to_pos (of_pos k)) k.
 Definition place_at (k : positive) : arrow := arrow_to (of_pos k).
 (** With vertex [v] in place of number [i] the tetrahedron is positive, too. *)
 Definition quick_side (E : list positive) (i : nat) (v : positive) : bool :=
   match replace i v E with
-  | [a; b; c; d] => placed a && placed b && placed c && placed d &&
+  | [a; b; c; d] => forallb (counted points_count) [a; b; c; d] &&
       quick_positive (place_at a) (place_at b) (place_at c) (place_at d)
   | _ => false
   end.
@@ -253,57 +281,3 @@ Definition quick_hull (h : positive) (f : hull_entry) : bool :=
       end
   end.
 End Quick.
-
-(** ** The whole *)
-
-(** What is asked of a tetrahedron besides that it is accepted. *)
-Definition settled_as (standing : option standing) (m : mesh) (t : positive) (e : simplex_entry) :
-  bool :=
-  match standing with None => true | Some s => settled_simplex space_predicates m s t e end.
-
-Definition sample_arrow (s : Word.t) (q : site) : arrow :=
-  match coordinates q with
-  | [x; y; z] => Arrow (shifted s x) (shifted s y) (shifted s z)
-  | _ => Arrow zero zero zero
-  end.
-
-Definition quick (p : packed) (standing : option standing) (s : Word.t) : bool :=
-  let c := frame p in
-  let pr := space_predicates in
-  let m := packed_mesh Space p in
-  negb (weights_of (claimed c)) &&
-  match standing with None => true | Some _ => delaunay_of (claimed c) end &&
-  scaled c && is_accepted (check_points pr (points c)) &&
-  forallb (fun e => forallb (fits s) (coordinates (position e))) (points c) &&
-  forallb (fits s) (coordinates (sample c)) && fits zero (sample_denominator c) &&
-  leb (shifted zero (sample_denominator c)) eight &&
-  leb (simplex_count p) many && leb (count_of (points c)) many &&
-  is_accepted (each (check_point pr m) 1 (points c)) &&
-  inside_sample pr m &&
-  (let places := Word.of_list (shifted s) (all_coordinates (points c)) in
-   let here := sample_arrow s (sample c) in
-   let w := shifted zero (sample_denominator c) in
-   let points_count := count_of (points c) in
-   all (simplex_count p) (fun t =>
-     quick_simplex m (simplex_count p) points_count (rows_of p) places s here w standing t ||
-     let e := entry_of Space (rows_of p) t in
-     is_accepted (check_simplex pr m t e) && settled_as standing m t e) &&
-   is_accepted (each (fun h f => if quick_hull m points_count places s h f then Accepted else
-     check_hull pr m h f) 1 (hull c))).
-
-(** ** The verdict *)
-
-Inductive verdict := Holds | Fails (c : condition) (p : place) | NotSettled (p : place).
-
-Definition judge (D : plane_or_space) (p : packed) (standing : option standing) (s : Word.t) :
-  verdict :=
-  if match D with Space => quick p standing s | Plane => false end then Holds
-  else
-    match check_packed D p with
-    | Rejected why where_ => Fails why where_
-    | Accepted => match standing with
-                  | None => Holds
-                  | Some s => match settle_packed D p s with Settled => Holds | Unsettled where_ =>
-                      NotSettled where_ end
-                  end
-    end.

@@ -54,5 +54,5 @@ Definition count_of {A} (l : list A) : t := wrap (Z.of_nat (length l)).
 
 (** ** Lists of words, counted from 0; where there is none there is a 0. *)
 Definition words := list t.
-Definition of_list {A} (f : A -> t) (l : list A) : words := map f l.
+Definition of_lists {A} (f : A -> list t) (l : list A) : words := flat_map f l.
 Definition get (l : words) (k : t) : t := if 0 <=? k then wrap (nth (Z.to_nat k) l 0) else 0.

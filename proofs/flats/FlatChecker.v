@@ -4,7 +4,7 @@
     the plane a triangulation is a triangulation.  The ball of a triangle is not a circle there; but
     its lifted plane is one, over the heights that the points have in space. *)
 From Coq Require Import ZArith List Bool.
-From Circumspect Require Export Quick Flats DomainChecker.
+From Circumspect Require Export Judge Flats DomainChecker.
 Import ListNotations.
 Open Scope Z_scope.
 

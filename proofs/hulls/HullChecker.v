@@ -5,7 +5,7 @@
     certificate as any other.  It is a weighted Delaunay triangulation if the summit is lowered, so
     that points of S that are not vertices need not be vertices of cones. *)
 From Coq Require Import ZArith List Bool.
-From Circumspect Require Export Quick Hulls.
+From Circumspect Require Export Judge Hulls.
 From Circumspect Require Table.
 Import ListNotations.
 Open Scope Z_scope.

@@ -40,6 +40,13 @@ content "6 of 6, content" canonical--cube.cert
 content "1 of 2, not content" facet-locally-delaunay--space.cert
 content "6 of 8, not content" facet-matched--wrong-neighbour.cert
 content "13 of 14, not content" sample-outside--doubly-winding-fan-in-space.cert
+content "4 of 4, content" sound--plane.cert
+content "2 of 2, content" canonical--sound.cert
+content "1 of 2, not content" facet-locally-delaunay--plane.cert
+content "6 of 7, not content" sample-outside--doubly-winding-fan-in-the-plane.cert
+# Words have room for 58 of their 270 digits.
+content "2 of 2, content" sound--by-a-unit.cert
+content "1 of 2, not content" facet-locally-delaunay--by-a-unit.cert
 # The example of Definitions.v, as it stands there.
 sed -n '/^<<$/,/^>>$/p' ../Definitions.v | sed '1d;$d' >"$again/triangle"
 found=$("$program" "$again/triangle") || true
@@ -80,6 +87,17 @@ sed 's/5e-1/0.50000000000000001/' own.node >nearest.node
 users "verified*" nearest.node own.ele
 users "rejected: another mesh, nearest.node:4: *coordinate 2 of point 9" --coordinates decimal nearest.node own.ele
 users "verified*" --coordinates decimal own.node own.ele
+# The coordinates are halves of integers: these are none, and the last is too large to be doubled.
+sed 's/5e-1/+.5/' own.node >plain.node
+users "verified*" plain.node own.ele
+for number in 0.75 .75 -.5 1e308; do
+  sed "s/5e-1/$number/" own.node >half.node
+  users "rejected: another mesh, half.node:4: *coordinate 2 of point 9" half.node own.ele
+done
+for number in 0.5.0 . + 0_5; do
+  sed "s/5e-1/$number/" own.node >half.node
+  users "malformed: half.node:4: expected a decimal or a fraction, found '$number'" half.node own.ele
+done
 sed 's/^8 1 0/8 1 1/' own.node >moved.node
 users "rejected: another mesh, moved.node:3: *coordinate 2 of point 8" moved.node own.ele
 sed 's/^7/10/;s/^8/11/;s/^9/12/' own.node >index.node

@@ -182,6 +182,12 @@ def broken_meshes(plane, space):
     yield "sample-inside-hull--two-pieces", apart, "rejected: sample-inside-hull"
     flipped = certificate("delaunay", [(0, 0), (6, 0), (7, 2), (0, 2)], [(0, 1, 2), (0, 2, 3)])
     yield "facet-locally-delaunay--plane", flipped, "rejected: facet-locally-delaunay"
+    # A square of side 10^81; but one vertex is a unit inside the circle of the others, or outside.
+    for unit, name, answer in (1, "facet-locally-delaunay--by-a-unit", "rejected: facet-locally-delaunay"), \
+            (-1, "sound--by-a-unit", "verified: delaunay, 4 points, 2 triangles"):
+        square = certificate("delaunay", [(unit, unit), (10 ** 81, 0), (10 ** 81, 10 ** 81), (0, 10 ** 81)],
+                             [(0, 1, 3), (1, 2, 3)])
+        yield name, square, answer
     bipyramid = [(10, 0, 0), (-5, 9, 0), (-5, -9, 0), (0, 0, 1), (0, 0, -1)]
     flat_pair = certificate("delaunay", bipyramid, [(0, 1, 2, 3), (0, 1, 2, 4)])
     yield "facet-locally-delaunay--space", flat_pair, "rejected: facet-locally-delaunay"

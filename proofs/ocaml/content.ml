@@ -90,8 +90,7 @@ let certificate (c : Reading.context) space claimed standing =
   (* What follows does not keep the context, which has the text of the file. *)
   let d = c.d and weighted = c.weighted in
   let mesh = lazy (
-    let corners (e : simplex_entry) = List.map Option.some e.corners in
-    let vertices k = corners (entry_of space packed.rows_of (k + 1)) in
+    let vertices k = List.map Option.some (corners_of space packed.rows_of (k + 1)) in
     { Users_mesh.unit = (frame.numerator, frame.denominator); d;
       weighted; labels = Array.of_list labels; ordered = false;
       sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
@@ -112,7 +111,7 @@ let hull (c : Reading.context) space cones =
   let packed, labels, summit, around = Certificate_file.read_hull c cones in
   let frame = packed.frame in
   let vertices k =
-    List.filter_map (fun v -> if v = summit then None else Some (Some v)) (entry_of space packed.rows_of (k + 1)).corners in
+    List.filter_map (fun v -> if v = summit then None else Some (Some v)) (corners_of space packed.rows_of (k + 1)) in
   let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d; weighted = false;
                     labels = Array.of_list labels; ordered = false;
                     sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
@@ -130,7 +129,7 @@ let hull (c : Reading.context) space cones =
 let flat (c : Reading.context) name seen =
   let packed, labels, unseen = Certificate_file.read_flat c seen in
   let frame = packed.frame in
-  let vertices k = List.map Option.some (entry_of Plane packed.rows_of (k + 1)).corners in
+  let vertices k = List.map Option.some (corners_of Plane packed.rows_of (k + 1)) in
   let site e z = with_unseen unseen.unseen_axis e.position z in
   let mesh = lazy { Users_mesh.unit = (frame.numerator, frame.denominator); d = 3; weighted = false;
                     labels = Array.of_list labels; ordered = false;

@@ -28,26 +28,43 @@ let decimal source token =
   if whole ^ part = "" || not (digits (whole ^ part)) || n > 10000 then fail ();
   (negative, whole ^ part, exponent - String.length part)
 
-(* The nearest double, unless decimals are taken at their word. *)
-let number ~exactly source token =
-  match String.index_opt token '/' with
-  | Some i ->
-    let over = Text.integer source (String.sub token 0 i) in
-    let under = Text.integer source (String.sub token (i + 1) (String.length token - i - 1)) in
-    if Big.sign under <= 0 then Text.fail source "a positive denominator" (Text.quote token);
-    Q.make over under
-  | None ->
-    let negative, figures, power = decimal source token in
-    if exactly then begin
-      let value = Q.of_bigint (Big.of_string figures) in
-      let scaled = if power >= 0 then Q.mul value (Q.of_bigint (Big.pow (Big.of_int 10) power))
-        else Q.div value (Q.of_bigint (Big.pow (Big.of_int 10) (-power))) in
-      if negative then Q.neg scaled else scaled
-    end else begin
-      let value = float_of_string token in
-      if Float.is_finite value then Q.of_float value
-      else Text.fail source "a number that a double can hold" (Text.quote token)
-    end
+(* Nothing but a sign, digits and a point among them: this is how most numbers are written. *)
+let is_plain token =
+  let n = String.length token in
+  let rec goes_on i digits points =
+    if i = n then digits > 0 && points < 2
+    else match token.[i] with
+      | '0' .. '9' -> goes_on (i + 1) (digits + 1) points
+      | '.' -> goes_on (i + 1) digits (points + 1)
+      | _ -> false in
+  n <= 10000 && goes_on (if n > 0 && (token.[0] = '-' || token.[0] = '+') then 1 else 0) 0 0
+
+(* A decimal is the nearest double, unless decimals are taken at their word. *)
+type number = Double of float | Fraction of Q.t
+
+let read_number ~exactly source token =
+  let double () =
+    let value = float_of_string token in
+    if Float.is_finite value then Double value
+    else Text.fail source "a number that a double can hold" (Text.quote token) in
+  if not exactly && is_plain token then double ()
+  else match String.index_opt token '/' with
+    | Some i ->
+      let over = Text.integer source (String.sub token 0 i) in
+      let under = Text.integer source (String.sub token (i + 1) (String.length token - i - 1)) in
+      if Big.sign under <= 0 then Text.fail source "a positive denominator" (Text.quote token);
+      Fraction (Q.make over under)
+    | None ->
+      let negative, figures, power = decimal source token in
+      if exactly then begin
+        let value = Q.of_bigint (Big.of_string figures) in
+        let scaled = if power >= 0 then Q.mul value (Q.of_bigint (Big.pow (Big.of_int 10) power))
+          else Q.div value (Q.of_bigint (Big.pow (Big.of_int 10) (-power))) in
+        Fraction (if negative then Q.neg scaled else scaled)
+      end else double ()
+let number ~exactly source token = match read_number ~exactly source token with
+  | Double value -> Q.of_float value
+  | Fraction value -> value
 
 (* An index, a marker: an integer of 64 bits. *)
 let fitting source n =

@@ -45,7 +45,7 @@ let words () =
   let seen = ref [] in
   expect "all" (Word.all 4 (fun k -> seen := k :: !seen; true) && !seen = [ 4; 3; 2; 1 ]
                 && not (Word.all 4 (fun k -> k < 4)) && Word.all 0 (fun _ -> false));
-  let listed = Words.of_list (fun x -> x + 1) [ 5; 6; max_int - 1 ] in
+  let listed = Words.of_lists (fun l -> List.map succ l) [ [ 5 ]; []; [ 6; max_int - 1 ] ] in
   expect "get" (List.map (Words.get listed) [ -1; 0; 1; 2; 3; min_int; max_int ] = [ 0; 6; 7; max_int; 0; 0; 0 ]);
   let grown = Words.growing 0 in
   for k = 0 to 9999 do Words.add grown (k * k) done;
@@ -63,15 +63,16 @@ let () =
   if Array.length Sys.argv > 1 then begin
     let channel = open_in_bin Sys.argv.(1) in
     let source = Text.of_string (really_input_string channel (in_channel_length channel)) in
-    let _ = Text.next_of source "the first line" in
-    let c = { Reading.source; d = 3; weighted = false; labels = Reading.no_labels source } in
+    let space, d = match Text.next_of source "the first line" with _ :: _ :: _ :: "2" :: _ -> (Plane, 2) | _ -> (Space, 3) in
+    let c = { Reading.source; d; weighted = false; labels = Reading.no_labels source } in
     let packed, _ = Certificate_file.read c Delaunay in
-    let points = packed.frame.points and s = Certificate_file.digits_left_out packed.frame in
-    let places = Words.of_list (Word.shifted s) (List.concat_map (fun e -> e.position.coordinates) points) in
-    let content = List.filter
-        (quick_simplex (packed_mesh Space packed) packed.simplex_count (List.length points) packed.rows_of places s
-           (sample_arrow s packed.frame.sample) (Word.shifted 0 packed.frame.sample_denominator) None)
-        (Word.upto packed.simplex_count) in
-    Printf.printf "%d of %d, %s\n" (List.length content) packed.simplex_count
-      (if quick packed None s then "content" else "not content")
+    let { frame; simplex_count = count; rows_of = rows } = packed in
+    let s = Certificate_file.digits_left_out frame and mesh = packed_mesh space packed in
+    let places = places_of s frame.points in
+    let points = List.length frame.points and w = Word.shifted 0 frame.sample_denominator in
+    let content = match space with
+      | Plane -> quick_triangle mesh count points rows places s (step_of s frame.sample) w None
+      | Space -> quick_simplex mesh count points rows places s (arrow_of s frame.sample) w None in
+    Printf.printf "%d of %d, %s\n" (List.length (List.filter content (Word.upto count))) count
+      (if quick space packed None s then "content" else "not content")
   end

@@ -47,10 +47,21 @@ let numbering labels =
     let i = place label in
     if i >= 0 && i < 4 * n then dense.(i) else Option.value (Hashtbl.find_opt others label) ~default:(-1)
 
+(* Whether x times the unit is a double.  If the unit is a fraction of 2^k, that is so if the double times 2^k is an integer, and which. *)
+let same_double (p, q) =
+  let k = Big.numbits q - 1 in
+  let exact x value = Q.equal (Q.make (Big.mul p x) q) (Q.of_float value) in
+  if Big.sign q <= 0 || not (Big.equal q (Big.shift_left Big.one k)) then exact
+  else fun x value ->
+    let times = Float.ldexp value k in
+    if Float.is_finite times then Float.is_integer times && Big.equal (Big.of_float times) (Big.mul p x)
+    else exact x value
+
 (* Gives back the numbering.  No point is listed twice: the indices of [rows] go up by one. *)
 let compare_points ~exactly mesh source =
   let number_of = numbering mesh.labels in
   let p, q = mesh.unit in
+  let same_double = same_double mesh.unit in
   let power_of n = let p = Big.pow p n and q = Big.pow q n in fun x -> Q.make (Big.mul p x) q in
   let scaled = power_of 1 and scaled_weight = power_of 2 in
   let header = header source "'POINTS DIMENSION [ATTRIBUTES [MARKERS]]'" 2 4 in
@@ -62,7 +73,10 @@ let compare_points ~exactly mesh source =
       if k < 0 then differs source "found point %s, which the certificate does not list" (Big.to_string index);
       let site = mesh.sites.(k) in
       List.iteri (fun axis x ->
-          if not (Q.equal (scaled x) (number ~exactly source (Text.token source "a coordinate"))) then
+          let is_same = match read_number ~exactly source (Text.token source "a coordinate") with
+            | Double value -> same_double x value
+            | Fraction value -> Q.equal (scaled x) value in
+          if not is_same then
             differs source "found another coordinate %d of point %s" (axis + 1) (Big.to_string index)) site.coordinates;
       if mesh.weighted then begin
         let weight = if header.(2) > 0 then number ~exactly source (Text.token source "a weight") else Q.zero in

@@ -5,11 +5,6 @@ type t = (int, int_elt, c_layout) Array1.t
 let get (words : t) k =
   if k >= 0 && k < Array1.dim words then Array1.unsafe_get words k else 0 [@@inline]
 
-let of_list word things =
-  let words = Array1.create Int C_layout (List.length things) in
-  List.iteri (fun k thing -> words.{k} <- word thing) things;
-  words
-
 type growing = { mutable held : t; mutable count : int }
 let growing expected = { held = Array1.create Int C_layout (max 1024 expected); count = 0 }
 let add grown word =
@@ -21,3 +16,8 @@ let add grown word =
   Array1.unsafe_set grown.held grown.count word;
   grown.count <- grown.count + 1
 let grown words = Array1.sub words.held 0 words.count
+
+let of_lists words things =
+  let made = growing (List.length things) in
+  List.iter (fun thing -> List.iter (add made) (words thing)) things;
+  grown made
