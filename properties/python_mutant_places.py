@@ -16,25 +16,31 @@ OTHER = {"Lt": ["<=", ">="], "LtE": ["<", ">"], "Gt": [">=", "<="], "GtE": [">",
 COMPARISON = re.compile(r"not\s+in\b|is\s+not\b|in\b|is\b|[<>]=?|[=!]=")
 # What their arguments are in another order is another question, which raises an exception at once.
 CALLED = SYMMETRIC | {"isinstance", "issubclass", "getattr", "hasattr", "map", "zip"}
+# What a module does when it is imported no test of pytest has by itself.
 ASKED = """import atexit
 import os
+import sys
 
 ACTIVE = int(os.environ.get("CIRCUMSPECT_MUTANT", "0"))
 reached = set()
 
 
 def circumspect_mutated(number):
-    reached.add(number)
+    imports = sys._getframe(1).f_code.co_name == "<module>"
+    reached.add((number, "" if imports else os.environ.get("PYTEST_CURRENT_TEST", "")))
     return number == ACTIVE
 
 
 def write_reached():
     with open(os.environ["CIRCUMSPECT_REACHED"], "a") as file:
-        file.write("".join(f"{number}\\n" for number in reached))
+        file.write("".join(f"{number} {test}\\n" for number, test in reached))
 
 
 if "CIRCUMSPECT_REACHED" in os.environ:
     atexit.register(write_reached)
+else:
+    def circumspect_mutated(number):
+        return number == ACTIVE
 """
 
 
