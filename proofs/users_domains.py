@@ -16,7 +16,8 @@ import tempfile
 
 import forgeries
 
-# Higher than wide, with a hole, a vertex of no segment, and markers and attributes wherever they are allowed.
+# Higher than wide, with a hole, a vertex of no segment, and markers and attributes wherever they
+# are allowed.
 PLANE = """\
 9 2 1 1
 3 0 0 .5 1

@@ -188,7 +188,8 @@ def hold_decimals(programs, folder):
     return tried
 
 
-# Meshes of the corpus, and options of certify: the vertices of a simplex stand in an order that matters there.
+# Meshes of the corpus, and options of certify: the vertices of a simplex stand in an order that
+# matters there.
 ORDERED = [("periodic/plane.ele", ("--claim", "periodic-delaunay", "--box", "0,0,4,4")),
            ("periodic/cell-missing.ele", ("--claim", "periodic-delaunay", "--box", "0,0,4,4")),
            ("reject/complex.duplicate-simplex--2d.ele", ("--claim", "triangulation"))]

@@ -140,9 +140,10 @@ def tests_of(work, targets, patterns):
     """Those whose name one of the patterns fits."""
     listed = json.loads(subprocess.run(["ctest", "--test-dir", "build/release", "--show-only=json-v1"], cwd=work, check=True,
                                        capture_output=True, text=True).stdout)["tests"]
-    # `make -C proofs mutants`, which `make test` runs before the others.
+    # `make -C proofs mutants`, which `make test` runs before the others, and its first part.
     listed += [{"name": "proofs/mutants", "properties": [],
-                "command": [str(work / name) for name in ("proofs/mutants/check.sh", VERIFIED, "build/proofs/quick-test")]}]
+                "command": [str(work / name) for name in ("proofs/mutants/check.sh", VERIFIED, "build/proofs/quick-test")]},
+               {"name": "proofs/quick-test", "properties": [], "command": [str(work / "build/proofs/quick-test")]}]
     tests = [Test(work, description) for description in listed if "command" in description]
     return [test for test in tests if not {"soak", "slow"} & set(test.labels) and any(re.search(p, test.name) for p in patterns)
             and (targets == ALL_TARGETS or any(pathlib.PurePath(word).name in targets for word in test.command))]

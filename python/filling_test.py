@@ -130,6 +130,7 @@ COLLECTION = {"type": "FeatureCollection", "features": [
         __geo_interface__={"type": "Polygon", "coordinates": (tuple(map(tuple, OUTLINE)), tuple(map(tuple, HOLE)))}), 12),
     ([OUTLINE, HOLE, ISLAND], 13), ([OUTLINE, OUTLINE, HOLE, BESIDE], 8), ([[[*p, 7] for p in ring] for ring in (OUTLINE, HOLE)], 12),
     ("POLYGON Z ((0 0 1, 4 0 1, 0 4 1, 0 0 1)) POLYGONZM((4 0 1 8, 4 4 1 9, 0 4 1 8))", 16),
+    ("TRIANGLE ((0 0, 4 0, 0 4, 0 0)) TIN (((4 0, 4 4, 0 4, 4 0)))", 16),
     ("GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4)), LINESTRING (0 0, 0 4), MULTIPOINT ((3 1), (3 2)), POINT EMPTY)", 8)])
 def test_polygons_are_given_as_rings(shape, area, tmp_path):
     domain = circumspect.Domain.from_rings(shape)

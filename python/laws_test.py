@@ -1,5 +1,6 @@
 """Laws of the package circumspect: no number, cell or option is lost on the way to the judge, whatever form it comes in. Run by pytest."""
 import copy
+import inspect
 import itertools
 import types
 from fractions import Fraction
@@ -184,12 +185,12 @@ def test_a_mesh_is_compared_by_its_own_weights():
 
 
 def test_indices_without_a_sign_are_what_they_are():
-    for kind in (np.uint32, np.uint64):
-        wrong = np.array([[0, 1, np.iinfo(kind).max]], dtype=kind)
+    for kind, index in ((np.uint32, 2**32 - 1), (np.uint64, 2**64 - 1), (np.uint64, 2**63 - 1)):
+        wrong = np.array([[0, 1, index]], dtype=kind)
         try:
             assert "triangulation.unknown-vertex" in circumspect.check(POINTS[:4, :2], wrong).rules
         except ValueError as error:
-            assert "64 bits" in str(error)  # larger than indices may be
+            assert "64 bits" in str(error) and index >= 2**63
 
 
 def test_a_hull_of_a_library_is_judged_whole():
@@ -401,3 +402,8 @@ def test_faces_that_are_given_stand_for_those_of_the_mesh():
             assert circumspect.check(mesh, claim="complex", faces=faces, demands="allow-unused")
         if own:
             assert not circumspect.check(mesh, claim="complex", demands="faces allow-unused")
+
+
+def test_an_option_of_two_functions_has_one_default():
+    defaults = [inspect.signature(function).parameters for function in (circumspect.check, circumspect.check_voronoi)]
+    assert {name for name in defaults[0].keys() & defaults[1] if defaults[0][name].default != defaults[1][name].default} == {"within", "name"}

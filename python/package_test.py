@@ -106,6 +106,8 @@ def test_what_a_notebook_keeps_is_small():
     many = circumspect.check(moved, cells, "complex", max_errors=0)
     assert sum(many.rules.values()) > 500 and len(many._repr_html_()) <= 60000
     assert 1 <= circumspect.check(moved, cells, "complex")._repr_html_().count("<svg") <= 3
+    wide = circumspect.check(np.random.default_rng(4).random((60, 2)), [range(60)])  # a picture of 1,770 edges
+    assert "simplex.wrong-dimension" in wide.rules and len(wide._repr_html_()) <= 60000
     near = circumspect.check([[0, 0], [1, 0], [1e-300, 1e-300], [0, 1]], [[0, 1, 2]], "triangulation")
     assert "nan" not in near._repr_html_() and "<svg" in near._repr_html_()
 
@@ -308,6 +310,7 @@ def test_families():
     assert (circumspect.generate("sphere", seed=5) == circumspect.generate("sphere", seed=5)).all()
     exact = circumspect.generate("sphere", dimension=2, points=5, seed=5, exact=True)
     assert {sum(x * x for x in point) for point in exact} and isinstance(exact[0][0], Fraction)
+    assert not any(family.weighted or family.repeats_points for family in families if family.is_of_domains)
     weighted = next(family for family in families if family.weighted)
     points, weights = circumspect.generate(weighted.name, dimension=weighted.dimensions[-1])
     assert len(points) == len(weights)

@@ -69,6 +69,13 @@ def test_a_diagram_of_scipy_is_right_within_rounding(dimension):
     assert not circumspect.check_voronoi(diagram, within=1e-9)
 
 
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_cell_without_a_corner_is_missing(dimension):
+    sites, parts = 8 * np.eye(2, dimension), {"cells": [[-1], [-1]], "ridges": [[0, 1]], "ridge_vertices": [[-1]], "structure": True}
+    assert circumspect.check_voronoi(sites, [], **parts).rules == {"voronoi.cell-missing": 2}
+    assert len(circumspect.check_voronoi(sites, np.zeros((1, dimension)), **parts).rules) == 2
+
+
 def test_what_is_no_diagram_is_refused():
     with pytest.raises(ValueError, match="expected a cell for each of 5 sites, found 1"):
         circumspect.check_voronoi(SQUARE, [[2, 2]], [[0]])
@@ -88,6 +95,8 @@ def test_a_mesh_that_repeats():
         judged(lattice=[[1, 2], [2, 4]], offsets=offsets)
     with pytest.raises(ValueError, match="expected lattice and offsets beside the claim periodic-delaunay"):
         judged(lattice=[1, 1])
+    with pytest.raises(ValueError, match="expected 2 vectors as a lattice, found 1"):
+        judged(lattice=[[1, 0]], offsets=offsets)
     with pytest.raises(ValueError, match=r"expected offsets of shape \(2, 3, 2\), found \(2, 3\)"):
         judged(lattice=[1, 1], offsets=cells)
     with pytest.raises(ValueError, match="expected the claim periodic-delaunay beside lattice, found delaunay"):
