@@ -1,5 +1,6 @@
 """Laws of the package circumspect: no number, cell or option is lost on the way to the judge, whatever form it comes in. Run by pytest."""
 import copy
+import decimal
 import inspect
 import itertools
 import types
@@ -191,6 +192,23 @@ def test_indices_without_a_sign_are_what_they_are():
             assert "triangulation.unknown-vertex" in circumspect.check(POINTS[:4, :2], wrong).rules
         except ValueError as error:
             assert "64 bits" in str(error) and index >= 2**63
+
+
+def test_what_is_no_integer_is_no_index_whatever_holds_it():
+    def judged(index):
+        return circumspect.check(POINTS[:3, :2], np.array([[0, 1, index]], dtype=object), "triangulation")
+
+    assert judged(2)
+    for index in (True, 2.0, "2", Fraction(2), decimal.Decimal(2)):
+        with pytest.raises(TypeError, match="expected integers as simplices, found other objects"):
+            judged(index)
+    for index in (-1, 3, 2**63 - 1, -2**63):
+        assert "triangulation.unknown-vertex" in judged(index).rules
+    for index in (2**63, -2**63 - 1):
+        with pytest.raises(ValueError, match="simplices of 64 bits, found larger ones"):
+            judged(index)
+    with pytest.raises(ValueError, match=r"simplices of shape \(m, 3\), found \(0, 7\)"):
+        circumspect.check(POINTS[:3, :2], np.zeros((0, 7), int))
 
 
 def test_a_hull_of_a_library_is_judged_whole():
