@@ -9,6 +9,7 @@ vertex, a segment, a polygon or a hole point is another one. A word that is no n
 answer names the line.
 """
 import collections
+import itertools
 import pathlib
 import random
 import re
@@ -208,7 +209,37 @@ def hold(programs, folder, text):
         line = answer(changed)
         assert re.fullmatch(f"malformed: {re.escape(str(other))}:{place}: expected .*, found (['0-9].*|(other|more) numbers)", line), f"expected a fault in line {place}, found '{line}':\n{changed}"
         tried += 1
-    return tried
+    return tried + hold_faces(programs, folder, text)
+
+
+def hold_faces(programs, folder, text):
+    """Of the edges, or triangles, that a file beside the mesh lists. How many such files were tried."""
+    certificate, node, ele, poly = (folder / f"own.{name}" for name in ("cert", "node", "ele", "poly"))
+    beside, other = (folder / name for name in (("own.edge", "own.face") if text is PLANE else ("own.face", "own.edge")))
+    other.unlink(missing_ok=True)
+    cells = [line.split()[1:] for line in ele.read_text().splitlines()[1:]]
+    size = len(cells[0]) - 1
+    own = [cell[:size] for cell in cells[:3]]
+    names = sorted({v for cell in cells for v in cell}, key=int)
+    stray = next(list(face) for face in itertools.combinations(names, size) if not any(set(face) <= set(cell) for cell in cells))
+
+    def answer(header, rows):
+        beside.write_text("\n".join(" ".join(row) for row in [header, *([str(k), *row] for k, row in enumerate(rows))]) + "\n")
+        return programs.answer(certificate, node, ele, poly)[0]
+
+    marked = [[*row, "5"] for row in own]
+    for header, rows in ((["3"], own), (["3", "1"], marked), (["3"], [[*row, "7", "8", "9"] for row in own]), (["0"], [])):
+        line = answer(header, rows)
+        assert line.startswith("verified: cdt"), f"{beside.name} {header} {rows}: expected 'verified', found '{line}'"
+    for header, rows, place in ((["3", "2"], [[*row, "6"] for row in marked], 1), (["3", "1"], own, 2), (["3"], [*marked[:2], own[2]], 4),
+                                (["3"], [*own[:2], marked[2]], 4), (["3"], [[*row, "7", "8", "9", "9"] for row in own], 2),
+                                (["2"], own, 4), (["4"], own, 5), (["3"], [["x", *own[0][1:]], *own[1:]], 2), (["3", "1"], [*marked[:2], [*own[2], "x"]], 4)):
+        line = answer(header, rows)
+        assert line.startswith(f"malformed: {beside}:{place}: expected "), f"{beside.name} {header} {rows}: expected a fault in line {place}, found '{line}'"
+    for header, rows, place in ((["3"], [*own[:2], stray], 4), (["3", "1"], [*marked[:2], [*stray, "1"]], 4), (["3"], [["999", *own[0][1:]], *own[1:]], 2)):
+        line = answer(header, rows)
+        assert line.startswith("rejected: another mesh, ") and f"{place}: found " in line, f"{beside.name} {rows}: expected a refusal, found '{line}'"
+    return 16
 
 
 # Meshes of corpus/domains beside their domains, and claims that hold.
