@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import circumspect
+from circumspect.meshes import guarded, mesh_of, with_faces
 
 CUBE = [[x, y, z] for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
 QUADS = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
@@ -420,6 +421,18 @@ def test_faces_that_are_given_stand_for_those_of_the_mesh():
             assert circumspect.check(mesh, claim="complex", faces=faces, demands="allow-unused")
         if own:
             assert not circumspect.check(mesh, claim="complex", demands="faces allow-unused")
+
+
+def test_what_is_judged_is_no_memory_of_others(monkeypatch):
+    mesh = with_faces(mesh_of(POINTS[:4], np.array([[0, 1, 2, 3]]), np.full((1, 4), -1), np.ones(4)), np.array([[0, 1, 2]]))
+    for faces in (mesh, with_faces(mesh, np.array([[0, 1]]))):
+        for own, copied in zip(faces.parts()[1:], guarded(faces).parts()[1:]):
+            assert own is copied is None or np.array_equal(own, copied) and not np.shares_memory(own, copied)
+    judged = []
+    monkeypatch.setattr(circumspect, "guarded", lambda mesh: judged.append(mesh) or guarded(mesh))
+    for copy_of_it in (True, False):
+        circumspect.check(POINTS[:4], [[0, 1, 2, 3]], copy=copy_of_it)
+        assert len(judged) == 1
 
 
 def test_an_option_of_two_functions_has_one_default():

@@ -77,7 +77,7 @@ def test_a_verdict_and_its_parts():
     assert "fails" in repr(verdict)
     with pytest.raises(circumspect.CheckFailed, match="vertex 3") as caught:
         verdict.raise_for_failure()
-    assert caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
+    assert str(caught.value) == str(verdict).rstrip() and caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
     holds = circumspect.check(POINTS, RIGHT)
     assert holds.unique is True and holds.canonical is True and holds.raise_for_failure() is holds
     assert circumspect.check(POINTS, RIGHT, "triangulation").unique is None
@@ -230,6 +230,11 @@ def test_objects_of_other_libraries():
     assert circumspect.check(triangulation)
     triangulation.set_mask([True] + [False] * (len(triangulation.triangles) - 1))
     assert not circumspect.check(triangulation)
+    for mask, holds in (([False, True], True), ([True, False], False), (None, False)):  # the second is flat
+        two = types.SimpleNamespace(x=[0, 1, 0], y=[0, 0, 1], triangles=[[0, 1, 2], [0, 0, 1]], mask=mask and np.array(mask))
+        assert bool(circumspect.check(two)) is holds
+    of_no_row = types.SimpleNamespace(points=plane.points, cells_dict={"tetra": np.zeros((0, 4), int), "triangle": plane.simplices})
+    assert circumspect.check(of_no_row) and circumspect.compare(of_no_row, (plane.points, plane.simplices))
     cells = {"tetra": mesh.simplices, "triangle": mesh.convex_hull}
     assert circumspect.check(types.SimpleNamespace(points=mesh.points, cells_dict=cells))
     as_pyvista = types.SimpleNamespace(points=plane.points.astype(np.float32), cells_dict={5: plane.simplices})
