@@ -164,6 +164,7 @@ def test_numbers_of_rings_are_exact():
 
 @pytest.mark.parametrize("shape, message", [
     ("[" * 100000, "too deep in one another"), ('{"type": "GeometryCollection", "geometries": [' * 50000, "too deep in one another"),
+    ("GEOMETRYCOLLECTION (POINT (0 0)", "'\\)' after a collection"), ("POINT Z (1 2)", "expected 3 coordinates of a position"),
     ("POLYGON ((0 0, 4 0, 4 4)", "line 1 of WKT: expected ',' or '\\)', found the end"),
     ("POLYGON (0 0, 4 0, 4 4)", r"expected '\(' or EMPTY, found '0'"),
     ("\nCIRCULARSTRING (0 0, 1 1, 2 0)", "line 2 of WKT: expected a geometry of straight lines"),
@@ -175,6 +176,13 @@ def test_numbers_of_rings_are_exact():
 def test_rings_that_are_none_are_refused(shape, message):
     with pytest.raises(ValueError, match=message):
         circumspect.Domain.from_rings(shape)
+
+
+def test_positions_stay_and_options_are_spelled():
+    text = "GEOMETRYCOLLECTION Z (POLYGON Z ((0 0 1, 4 0 1, 4 4 1)), MULTIPOINT Z ((3 1 1), (3 2 1)))"
+    assert circumspect.Domain.from_rings(text).size() == "5 points, 0 segments, 1 polygon"
+    with pytest.raises(ValueError, match="expected coordinates='double' or coordinates='decimal', found 'decimals'"):
+        circumspect.Domain.from_rings(OUTLINE, coordinates="decimals")
 
 
 def test_a_list_that_holds_itself_is_refused():

@@ -78,6 +78,8 @@ def test_a_verdict_and_its_parts():
     with pytest.raises(circumspect.CheckFailed, match="vertex 3") as caught:
         verdict.raise_for_failure()
     assert str(caught.value) == str(verdict).rstrip() and caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
+    over = circumspect.check([[0, 0], [4, 0], [0, 4], [1, 1], [5, 1], [1, 5]], [[0, 1, 2], [3, 4, 5]], "triangulation").violations
+    assert any(one.point is not None and len(one.point) == 2 for one in over) and repr(circumspect.compare((POINTS, RIGHT), (POINTS, RIGHT))) == "<Comparison same>"
     holds = circumspect.check(POINTS, RIGHT)
     assert holds.unique is True and holds.canonical is True and holds.raise_for_failure() is holds
     assert circumspect.check(POINTS, RIGHT, "triangulation").unique is None

@@ -79,8 +79,13 @@ def test_a_cell_without_a_corner_is_missing(dimension):
 def test_what_is_no_diagram_is_refused():
     with pytest.raises(ValueError, match="expected a cell for each of 5 sites, found 1"):
         circumspect.check_voronoi(SQUARE, [[2, 2]], [[0]])
-    with pytest.raises(TypeError, match="expected vertices and cells beside sites"):
-        circumspect.check_voronoi(SQUARE)
+    for cells in ({}, {"cells": [[0]] * 5}, {"vertices": [[2, 2]]}):
+        with pytest.raises(TypeError, match="expected vertices and cells beside sites"):
+            circumspect.check_voronoi(SQUARE, **cells)
+    with pytest.raises(ValueError, match=r"expected vertices of shape \(n, 2\), found \(1, 3\)"):
+        circumspect.check_voronoi(SQUARE, [[2, 2, 0]], [[0]] * 5)
+    with pytest.raises(ValueError, match="expected the vertices of each of 2 ridges, found 1"):
+        circumspect.check_voronoi(SQUARE, [[2, 2]], [[0]] * 5, [[0, 1], [1, 2]], [[0]])
     with pytest.raises(TypeError, match="expected doubles as sites"):
         circumspect.check_voronoi([[Fraction(1, 3), 0]], [[0, 0]], [[0]])
 
@@ -88,7 +93,10 @@ def test_what_is_no_diagram_is_refused():
 def test_a_mesh_that_repeats():
     cells, offsets = [[0, 0, 0], [0, 0, 0]], [[[0, 0], [1, 0], [1, 1]], [[0, 0], [1, 1], [0, 1]]]
     judged = lambda **how: circumspect.check([[0.25, 0.5]], cells, "periodic-delaunay", **how)
-    assert judged(lattice=[1, 1], offsets=offsets)
+    for kind in (np.int64, np.int8, np.int32, np.uint16, np.uint64):
+        assert judged(lattice=[1, 1], offsets=np.array(offsets, kind))
+    with pytest.raises(TypeError, match="expected integers as offsets, found an array of float64"):
+        judged(lattice=[1, 1], offsets=np.array(offsets) + 0.5)
     assert judged(lattice=[[1, 0], [0, 1]], offsets=np.array(offsets)).claim == "periodic-delaunay"
     assert judged(lattice=[[1, 0], [1, 1]], offsets=offsets).rules == {"delaunay.facet-not-local": 1}
     with pytest.raises(ValueError, match="linearly dependent"):
