@@ -18,10 +18,10 @@ import tempfile
 
 import forgeries
 
-# Higher than wide, with a hole, a vertex of no segment, and markers and attributes wherever they
+# Higher than wide, with holes, a vertex of no segment, and markers and attributes wherever they
 # are allowed.
 PLANE = """\
-9 2 1 1
+13 2 1 1
 3 0 0 .5 1
 4 8 0 .5 1
 5 8 24 .5 1
@@ -30,8 +30,12 @@ PLANE = """\
 8 4 2 .5 2
 9 4 4 .5 2
 10 2 4 .5 2
-11 6 20 .5 0
-8 1
+11 5 8 .5 2
+12 7 8 .5 2
+13 7 10 .5 2
+14 5 10 .5 2
+15 6 20 .5 0
+12 1
 1 3 4 1
 2 4 5 1
 3 5 6 1
@@ -40,12 +44,18 @@ PLANE = """\
 6 8 9 2
 7 9 10 2
 8 10 7 2
-1
+9 11 12 2
+10 12 13 2
+11 13 14 2
+12 14 11 2
+2
 1 3 3
+2 6 9
 2
 1 1 1 5 .1
 2 1 5 5 .1
 """
+HOLES = "2\n1 3 3\n2 6 9\n"
 BOTTOM = "2 0 1\n4 1 2 3 4\n2 1 3\n"
 # A box with an edge and a point in it; corners that repeat others, and a polygon on two lines.
 SPACE = """\
@@ -124,12 +134,14 @@ def the_same(text):
     points = 1 + int(rows[0].split()[0])
     for header in (f"0 {rows[0].split()[1]} 0 0\n", "0\n"):
         yield "with its points in another file", "".join([header, *rows[points:]]), "".join(rows[:points])
-    is_plane, count = text is PLANE, rows.index("1\n") if text is PLANE else rows.index("0\n")
-    width, height = 8, 24 if is_plane else 40
-    middle = [width // 2] * (1 if is_plane else 2)
+    is_plane, own = text is PLANE, HOLES if text is PLANE else "0\n"
+    width, height, middle = 8, 24 if is_plane else 40, [4] * (1 if is_plane else 2)
     for seed in ((*middle, height + 1), (*middle, -1), (width + 1, *middle[1:], 9), (-1, *middle[1:], 9)):
-        holes = rows[count + 1:count + 1 + is_plane] + [" ".join(map(str, (9, *seed))) + "\n"]
-        yield f"with a hole point beyond all at {seed}", "".join([*rows[:count], f"{len(holes)}\n", *holes, *rows[count + 1 + is_plane:]]), None
+        more = f"{int(own[0]) + 1}{own[1:]}9 {' '.join(map(str, seed))}\n"
+        yield f"with a hole point beyond all at {seed}", text.replace("\n" + own, "\n" + more), None
+    wider = [f"{row[:-1]} 7\n" if 0 < k < points else row for k, row in enumerate(rows)]
+    yield "with further columns", "".join(wider).replace(" 1 1\n", " 2 1\n", 1), None
+    yield "with a region of no attribute", text.removesuffix(" .1\n") + "\n", None
 
 
     if not is_plane:
@@ -144,24 +156,29 @@ def altered(text):
     for place, row in enumerate(rows[points + 2:-3 if is_plane else -2], points + 2):
         counts[place] = 2 if not is_plane and len(row) == 3 else len(row) == 1
     for place, row in enumerate(rows[:max(counts) + 1]):
-        numbers = range(1, 1 + int(rows[0][1]) if place <= points else len(row) - 1)  # what stands behind is a marker
+        # What stands behind is a marker.
+        numbers = range(1, 1 + int(rows[0][1]) if place <= points else len(row) - (is_plane and len(row) == 4))
         if not is_plane and place > points and len(set(row[1:])) < len(row) - 1:
             numbers = ()  # a corner that repeats another one may be any of its neighbours
         for column in range(counts[place]) if counts.get(place) else numbers:
             for other in ("7" + row[column], *(f"{float(row[column]) + by:g}" for by in (1, -1))):
                 yield f"{other} in line {place + 1}", with_line(text, place, " ".join([*row[:column], other, *row[column + 1:]])), None
+    yield "the last vertex where the first is", with_line(text, points, " ".join([rows[points][0], *rows[1][1:]])), None
+    yield "two markers", "".join(f"{line} 1\n" if 0 < k <= points else f"{line}\n" for k, line in enumerate(text.splitlines())).replace(" 1 1\n", " 1 2\n", 1), None
     again = [str(int(rows[points][0]) + 1), *rows[points][1:]]
     yield "a vertex twice", with_line(with_line(text, points, " ".join(rows[points]), " ".join(again)), 0, " ".join([str(points + 1), *rows[0][1:]])), None
     if is_plane:
         yield "without the vertex of no segment", with_line(with_line(text, points), 0, " ".join([str(points - 1), *rows[0][1:]])), None
         for seed in ("5 7 5", "5 5 9", "5 1 23"):
-            yield f"with a hole point at {seed}", text.replace("1\n1 3 3\n", f"2\n1 3 3\n{seed}\n"), None
-        yield "without holes", text.replace("1\n1 3 3\n", "0\n"), None
-        yield "without their number", "\n".join(text.splitlines()[:-5]) + "\n", None
+            yield f"with a hole point at {seed}", text.replace(HOLES, f"3{HOLES[1:]}{seed}\n"), None
+        yield "without holes", text.replace(HOLES, "0\n"), None
+        yield "without their number", text[:text.index(HOLES)], None
     else:
         for seed in ("4 1 0", "1 7 0"):
             yield f"with a hole of a polygon at {seed}", text.replace(BOTTOM, BOTTOM.replace("2 0", "2 1") + f"1 {seed}\n"), None
-        yield "with a polygon of no corner", text.replace("2 1 3\n", "0\n"), None
+        for line in ("x 4 9 0", "1 4 9 0 1"):
+            yield f"with the hole {line} of a polygon", text.replace(BOTTOM, BOTTOM.replace("2 0", "2 1") + line + "\n"), None
+        yield "with a polygon of no corner", text.replace(BOTTOM, BOTTOM.replace("2 0", "3 0") + "0\n"), None
     split = text.splitlines(keepends=True)
     own = "".join(split[:points + 1])
     for how, header, node in (("another dimension", f"0 {5 - int(rows[0][1])} 0 0\n", own), ("no dimension", f"0 {rows[0][1]}\n", own.replace(split[0], f"{points}\n")),
