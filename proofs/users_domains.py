@@ -154,7 +154,7 @@ def altered(text):
     points, is_plane = int(rows[0][0]), text is PLANE
     counts = {0: 4, points + 1: 2}  # how many, by the line
     for place, row in enumerate(rows[points + 2:-3 if is_plane else -2], points + 2):
-        counts[place] = 2 if not is_plane and len(row) == 3 else len(row) == 1
+        counts[place] = 2 if not is_plane and row[1:] == ["0", "1"] else len(row) == 1
     for place, row in enumerate(rows[:max(counts) + 1]):
         # What stands behind is a marker.
         numbers = range(1, 1 + int(rows[0][1]) if place <= points else len(row) - (is_plane and len(row) == 4))
