@@ -6,16 +6,26 @@
 Drawn point sets are meshed and certified. Beside files that spell the same numbers in another way, the certificate is verified.
 It is not where a number is another one, a row is missing or added, or a header announces one row too many or too few; nor
 where decimals are taken at their word and the certificate took them for doubles, or the other way round.
+
+Of every kind of file that is read, a word behind any line is malformed, and the answer names the file and the line.
 """
-import collections
 import pathlib
-import random
+import re
 import subprocess
 import sys
 import tempfile
 
+import forgeries
+
+# Families of points, or points, and claims about their triangulations.
 SETS = [("uniform", "delaunay", 2), ("integers", "triangulation", 3), ("grid", "delaunay", 3), ("small-weights", "weighted-delaunay", 2),
-        ("submerged", "weighted-delaunay", 3)]
+        ("submerged", "weighted-delaunay", 3), ("uniform", "complex", 3), ("uniform", "surface-delaunay", 2),
+        ([(x / 8, y / 16, x * y / 16, x / 4096) for x, y in ((0, 1), (7, 0), (3, 9), (8, 5), (-4, 4))], "weighted-delaunay", 3),
+        ([(x / 8, y / 8, x / 4 - y / 8) for x, y in ((0, 1), (7, 0), (3, 9), (8, 5), (-4, 4))], "delaunay", 3),
+        ([(x, 2 * x) for x in (0, 5, 95 * 10**17, -3 << 66, 7 << 68)], "triangulation", 2)]
+# No numbers, and no integers.
+NO_NUMBERS = ("x", "1_0", "0x1", "--1", "1..2", "/2", "1/", "1/0", "1/-2", "1e", "e1", "1e+", "1e1_0", ".", "-", "inf", "nan", "1e400", "1x")
+NO_INTEGERS = (*NO_NUMBERS, "1.", "1e0", "1/1", str(2**63))
 
 
 class File:
@@ -36,20 +46,42 @@ class File:
         return self
 
 
-def the_same(points, simplices):
-    """What says the same: how, and both files."""
-    yield "as they are", points, simplices
+def the_same(points, simplices, claim):
+    """What says the same: how, and the texts of both files."""
+    texts = points.text(), simplices.text()
+    yield "as they are", *texts
     spelled = points.copy()
     spelled.rows = [[row[0], *(f"{word}e0" if "e" not in word and "/" not in word else word for word in row[1:])] for row in points.rows]
-    yield "with exponents", spelled, simplices
+    yield "with exponents", spelled.text(), texts[1]
+    yield "with tabs and the line ends of others", *(text.replace(" ", " \t").replace("\n", "\t\r\n") for text in texts)
+    yield "with comments and empty lines", *(text.replace("\n", " # 7\n\n#7\n") for text in texts)
+    yield "without the last line end", *(text.rstrip("\n") for text in texts)
+    wider = points.copy(), simplices.copy()
+    wider[0].header[2:] = [str(int(points.header[2]) + 2), "1"]
+    wider[1].header[2:] = ["1"]
+    for file, columns in zip(wider, (["0.5", "7e1", "-3"], ["1/3"])):
+        file.rows = [[*row, *columns] for row in file.rows]
+    yield "with further columns", *(file.text() for file in wider)
+    turned = simplices.copy()
+    turned.rows = [[row[0], *reversed(row[1:])] for row in simplices.rows]
+    yield "with vertices in another order", texts[0], turned.text()
 
 
 def altered(file, columns):
     """Files that say something else: how, and the file. `columns`: of the numbers that matter."""
     for announced in (-1, 1):
-        other = file.copy()
-        other.header[0] = str(len(file.rows) + announced)
-        yield f"{announced:+} row announced", other
+        for column in range(len(file.header)):
+            other = file.copy()
+            other.header[column] = str(int(file.header[column]) + announced)
+            yield f"{announced:+} in column {column} of the header", other
+    other = file.copy()
+    other.header[-1] = str(int(other.header[-1]) + 2)
+    other.rows = [[*row, "1", "1"] for row in other.rows]
+    if len(file.header) == 4:
+        yield "two more markers", other
+    other = file.copy()
+    other.rows[-1][0] = str(int(other.rows[-1][0]) + 1)
+    yield "a number of rows left out", other
     for place in (0, len(file.rows) - 1):
         other = file.copy()
         del other.rows[place]
@@ -66,58 +98,79 @@ def altered(file, columns):
     yield "the last row twice", other.counted()
 
 
+def unreadable(file, numbers):
+    """The file with a word that is none of its numbers, or with one too many: the line, and the text. `numbers`: the columns of a
+    row that need not be integers."""
+    lines = [file.header, *file.rows]
+    for place, line in enumerate(lines):
+        for column, words in enumerate([*[NO_NUMBERS if place and k in numbers else NO_INTEGERS for k in range(len(line))], ["1"]]):
+            for word in words if place < 2 else words[:1]:
+                changed = [*lines[:place], [*line[:column], word, *line[column + 1:]], *lines[place + 1:]]
+                yield place + 1, "".join(" ".join(row) + "\n" for row in changed)
+
+
+def points_of(programs, family, dimension):
+    """A file of drawn points; of points that are listed, the last number of each is a weight if there is one more."""
+    if isinstance(family, str):
+        return programs.run("generate", family, "--points", "9", "--seed", "1", "--dimension", str(dimension), "-o", "-").stdout
+    rows = [f"{len(family)} {dimension} {len(family[0]) - dimension} 0", *(" ".join(map(repr, (k, *row))) for k, row in enumerate(family))]
+    return "\n".join(rows) + "\n"
+
+
 def hold(programs, folder, family, claim, dimension):
     """How many pairs of files were tried. Raises an AssertionError where the answer is wrong."""
-    circumspect, verified = programs
-    node, ele, certificate = folder / "mesh.node", folder / "mesh.ele", folder / "certificate"
-    points = folder / "points.node"
-    subprocess.run([circumspect, "generate", family, "--points", "9", "--seed", "1", "--dimension", str(dimension), "-o", points,
-                    "--quiet"], check=True)
-    construction = "weighted-delaunay" if claim == "weighted-delaunay" else "delaunay"
-    subprocess.run([circumspect, "build", construction, points, "-o", ele, "--quiet"], check=True)
-    subprocess.run([circumspect, "certify", ele, "--claim", claim, "--quiet", "-o", certificate], check=True)
+    node, ele, certificate, points = (folder / name for name in ("mesh.node", "mesh.ele", "certificate", "points.node"))
+    points.write_text(points_of(programs, family, dimension))
+    weights = claim == "weighted-delaunay"
+    for asked in (["build", "weighted-delaunay" if weights else "delaunay", points, "-o", ele],
+                  ["certify", ele, "--claim", claim, "-o", certificate]):
+        run = programs.run(*asked, "--quiet")
+        assert run.returncode == 0, f"{asked}: {run.stderr}"
     own = File(node.read_text()), File(ele.read_text())
-    tried = 0
+    texts, tried = tuple(file.text() for file in own), 0
 
-    def answer(files):
-        node.write_text(files[0].text())
-        ele.write_text(files[1].text())
-        return subprocess.run([verified, certificate, node, ele], capture_output=True, text=True, check=False).stdout
+    def answer(*texts):
+        node.write_text(texts[0])
+        ele.write_text(texts[1])
+        return programs.answer(certificate, node, ele)[0]
 
-    for how, *files in the_same(*own):
-        line = answer(files)
+    for how, *same in the_same(*own, claim):
+        line = answer(*same)
         assert line.startswith(f"verified: {claim}"), f"{family} {how}: expected 'verified', found '{line}'"
         tried += 1
-    weights = 1 if construction == "weighted-delaunay" else 0
-    for which, columns in ((0, range(1, 1 + dimension + weights)), (1, range(1, 2 + dimension))):
+    numbers = range(1, 1 + dimension + weights)
+    for which, columns in ((0, numbers), (1, range(1, len(own[1].rows[0])))):
         for how, other in altered(own[which], columns):
-            files = [other if which == k else own[k] for k in (0, 1)]
-            line = answer(files)
+            line = answer(*(other.text() if which == k else texts[k] for k in (0, 1)))
             assert line and not line.startswith("verified"), f"{family}, file {which}, {how}: expected a refusal, found '{line}'"
+            tried += 1
+        for place, text in unreadable(own[which], () if which else numbers) if weights and dimension == 2 else ():
+            line = answer(*(text if which == k else texts[k] for k in (0, 1)))
+            fault = f"malformed: {re.escape(str(ele if which else node))}:{place}: expected .*, found ['0-9].*"
+            assert re.fullmatch(fault, line), f"expected a fault in line {place}, found '{line}':\n{text}"
             tried += 1
     return tried
 
 
 def hold_decimals(programs, folder):
     """Decimals taken at their word are other numbers than the doubles nearest to them. How many pairs of files were tried."""
-    circumspect, verified = programs
     node, ele = folder / "decimal.node", folder / "decimal.ele"
-    points = ["0.1 0.3", "-0.1 2.7e0", "12.5E-1 -.7", "-35e-1 -0.05", "+0.6 110e-2", "-120e-2 -2.30"]
+    points = ["0.1 0.3", "-0.1 2.7e0", "12.5E-1 -.7", "-35e-1 -0.05", "+0.6 110e-2", "3e1 -.2e2", "-120e-2 -2.30"]
     rows = [[str(index), *row.split()] for index, row in enumerate(points)]
     own = "".join(" ".join(row) + "\n" for row in [[str(len(rows)), "2", "0", "0"], *rows])
     node.write_text(own)
-    subprocess.run([circumspect, "build", "delaunay", node, "-o", folder / "built.ele", "--quiet"], check=True)
+    programs.run("build", "delaunay", node, "-o", folder / "built.ele", "--quiet").check_returncode()
     ele.write_text((folder / "built.ele").read_text())
     readings = ([], ["--coordinates", "decimal"])
     certificates = [folder / "of-doubles", folder / "of-decimals"]
     for reading, certificate in zip(readings, certificates):
         node.write_text(own)
-        subprocess.run([circumspect, "certify", ele, "--claim", "triangulation", *reading, "--quiet", "-o", certificate], check=True)
+        programs.run("certify", ele, "--claim", "triangulation", *reading, "--quiet", "-o", certificate).check_returncode()
 
     def is_verified(reading, certificate):
-        run = subprocess.run([verified, certificate, *reading, node, ele], capture_output=True, text=True, check=False)
-        assert run.stdout, f"expected an answer about\n{node.read_text()}"
-        return run.stdout.startswith("verified: triangulation")
+        line = programs.answer(certificate, *reading, node, ele)[0]
+        assert line, f"expected an answer about\n{node.read_text()}"
+        return line.startswith("verified: triangulation")
 
     tried = 0
     for reading in readings:
@@ -138,80 +191,101 @@ def hold_decimals(programs, folder):
     return tried
 
 
-# Meshes of corpus/domains beside their domains, and claims that hold.
-DOMAINS = [("accept/plane-ring", "accept/plane-ring", "cdt"), ("accept/cube-square-in-two", "accept/cube-square-in-two", "cdt"),
-           ("accept/hollow-cube", "accept/hollow-cube", "cdt"), ("tetgen/tunnel.1", "tunnel", "steiner-cdt")]  # the last has polygons with holes
-EDITS = 60
+# Meshes of the corpus, and options of certify: the vertices of a simplex stand in an order that
+# matters there.
+ORDERED = [("periodic/plane.ele", ("--claim", "periodic-delaunay", "--box", "0,0,4,4")),
+           ("periodic/cell-missing.ele", ("--claim", "periodic-delaunay", "--box", "0,0,4,4")),
+           ("reject/complex.duplicate-simplex--2d.ele", ("--claim", "triangulation"))]
+RING = "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n"
 
 
-def edited(text, dice):
-    """The text with one token or one row changed, as a slip of a writer would."""
-    rows = [line.split() for line in text.splitlines() if line.split("#")[0].strip()]
-    place = dice.randrange(len(rows))
-    row = rows[place]
-    column = dice.randrange(len(row))
-    edit = dice.choice(("number", "number", "drop", "double", "without", "again", "segment"))
-    lists = 1 + int(rows[0][0])  # the header of segments or facets
-    if edit == "number":
-        word = row[column]
-        row[column] = str(int(word) + dice.choice((-1, 1))) if word.lstrip("-").isdigit() else str(float(word) + 0.25)
-    elif edit == "drop":
-        del row[column]
-    elif edit == "double":
-        row.insert(column, row[column])
-    elif edit == "segment":  # one less, or one more: in space a facet of two corners
-        less = rows[0][1] == "2" and dice.random() < 0.5
-        rows[lists][0] = str(int(rows[lists][0]) + (-1 if less else 1))
-        ends = [dice.choice(rows[1:lists])[0] for _ in range(2)]
-        rows[lists + 1:lists + 1 + less] = [] if less else [["0", *ends]] if rows[0][1] == "2" else [["1"], ["2", *ends]]
-    elif edit == "without":
-        del rows[place]
-    else:
-        rows.insert(place, list(row))
-    return "".join(" ".join(row) + "\n" for row in rows)
+def hold_orders(programs, folder):
+    """Where offsets, or evidence, go by the places of vertices in their simplices, the files have them in this order; and only of a
+    convex hull are vertices in a cycle its edges. How many files were tried."""
+    corpus, certificate = pathlib.Path(__file__).resolve().parent.parent / "corpus", folder / "ordered.cert"
+    node, ele, tried = folder / "ordered.node", folder / "ordered.ele", 0
+
+    def is_verified():
+        return programs.answer(certificate, node, ele)[0].startswith("verified")
+
+    for name, options in ORDERED:
+        own = File((corpus / name).read_text())
+        node.write_text((corpus / name).with_suffix(".node").read_text())
+        ele.write_text(own.text())
+        programs.run("certify", ele, *options, "--quiet", "-o", certificate)
+        assert is_verified(), name
+        row = own.rows[0]
+        row[1], row[2] = row[2], row[1]
+        ele.write_text(own.text())
+        assert not is_verified(), f"{name}: expected a refusal of the first simplex in another order"
+        row[1], row[2] = row[2], row[1]
+        own.rows.append([str(int(own.rows[-1][0]) + 1), *own.rows[-1][1:]])
+        ele.write_text(own.counted().text())
+        assert not is_verified(), f"{name}: expected a refusal of one simplex more"
+        tried += 3
+    node.write_text(RING)
+    for claim in ("complex", "triangulation"):
+        ele.write_text("3 2\n0 0 1\n1 1 2\n2 2 0\n")
+        programs.run("certify", ele, "--claim", claim, "--quiet", "-o", certificate)
+        assert is_verified(), f"{claim}: three edges"
+        ele.write_text("3 1\n0 0\n1 1\n2 2\n")
+        assert not is_verified(), f"{claim}: expected a refusal of three vertices"
+        tried += 2
+    # Refutations of an entry that names no point, and of no simplices, are not about meshes without
+    # these faults.
+    for own, others in (("1 3\n0 0 1 9\n", ["1 3\n0 0 1 2\n", "1 3\n0 0 1 1\n", "1 3\n0 0 1 0\n"]), ("0 3\n", ["1 3\n0 0 1 2\n", "1 2\n0 0 1\n"])):
+        ele.write_text(own)
+        programs.run("certify", ele, "--claim", "triangulation", "--quiet", "-o", certificate)
+        assert is_verified(), own
+        for other in others:
+            ele.write_text(other)
+            assert not is_verified(), f"expected a refusal of {other}, since the certificate is about {own}"
+        tried += 1 + len(others)
+    return tried
 
 
-def hold_domains(programs, folder):
-    """Edited domains: what the command refuses to read, the proved checker refuses; and if one certificate fits the other's
-    file, so does the other one. How many were tried, of each outcome."""
-    circumspect, verified = programs
-    corpus = pathlib.Path(__file__).resolve().parent.parent / "corpus/domains"
-    dice, counts = random.Random(1), collections.Counter()
+def certificates_of_each_kind():
+    """Of those in proofs/mutants that are verified, the smallest with these sections, and with these words on the first line beside
+    the claim and the dimension."""
+    kinds = {}
+    for path in sorted((pathlib.Path(__file__).parent / "mutants").glob("*.cert")):
+        lines = path.read_text().splitlines()
+        kind = (*lines[1].split()[4:], *(line.split()[0] for line in lines[2:] if line[:1].isalpha()))
+        if lines[0].startswith("# verified") and (kind not in kinds or len(lines) < len(kinds[kind])):
+            kinds[kind] = lines
+    return list(kinds.values())
 
-    def certified(ele, poly, claim, certificate):
-        run = subprocess.run([circumspect, "certify", ele, "--domain", poly, "--claim", claim, "--quiet", "-o", certificate],
-                             capture_output=True, text=True, check=False)
-        return run.returncode
 
-    def fits(certificate, ele, poly):
-        return subprocess.run([verified, certificate, ele.with_suffix(".node"), ele, poly], capture_output=True, text=True,
-                              check=False).stdout.startswith("verified")
-
-    for mesh, domain, claim in DOMAINS:
-        ele, poly, own, other = corpus / f"{mesh}.ele", corpus / f"{domain}.poly", folder / "own", folder / "other.poly"
-        assert certified(ele, poly, claim, own) == 0 and fits(own, ele, poly), f"{domain}: expected a verified certificate"
-        for _ in range(EDITS):
-            other.write_text(edited(poly.read_text(), dice))
-            code = certified(ele, other, claim, folder / "others")
-            if code not in (0, 1):
-                what = "unreadable"
-                assert code == 2 or not fits(own, ele, other), f"{domain}, edited: the command refuses\n{other.read_text()}"
-            else:
-                forth, back = fits(own, ele, other), fits(folder / "others", ele, poly)
-                assert forth == back, f"{domain}, edited: one certificate fits both of it and\n{other.read_text()}"
-                assert fits(folder / "others", ele, other), f"{domain}, edited: no certificate of its own\n{other.read_text()}"
-                what = "the same" if forth else "another"
-            counts[what] += 1
-    assert len(counts) == 3, counts
-    return sum(counts.values())
+def hold_lines(programs, folder):
+    """How many slips were tried: behind each line that begins with a word, and behind the one after it, which may be a row."""
+    path, tried = folder / "slip.cert", 0
+    kinds = certificates_of_each_kind()
+    assert len(kinds) > 60, len(kinds)
+    for lines in kinds:
+        named = [k for k, line in enumerate(lines) if line[:1].isalpha()]
+        for k in sorted({*named, *(k + 1 for k in named[:-1])}):
+            path.write_text("\n".join([*lines[:k], lines[k] + " x", *lines[k + 1:], ""]))
+            said = programs.answer(path)[0]
+            assert said.startswith(f"malformed: {path}:{k + 1}: expected ") and re.search(", found ['0-9]", said), f"{lines[1]} with a word behind line {k + 1}: {said}"
+            tried += 1
+        path.write_text("\n".join([*lines, "end", ""]))
+        said = programs.answer(path)[0]
+        assert said.startswith(f"malformed: {path}:{len(lines) + 1}: expected nothing after 'end'"), f"{lines[1]} with two ends: {said}"
+    for name in ("-", "/dev/stdin"):  # more than a pipe holds, and of no length that is known
+        whole = "\n".join([*kinds[0][:3], "#" * 200000, *kinds[0][3:], ""])
+        run = subprocess.run([programs.verified, name], input=whole, capture_output=True, text=True, check=False)
+        assert run.stdout.startswith("verified"), run.stdout
+    return tried + 2
 
 
 def main():
     programs = [pathlib.Path(name).resolve() for name in sys.argv[1:3]]
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        tried = sum(hold(programs, folder, *one) for one in SETS) + hold_decimals(programs, folder) + hold_domains(programs, folder)
-    print(f"{tried} pairs of files: a certificate is verified beside the user's own alone")
+        asked = forgeries.Programs(*programs)
+        tried = sum(hold(asked, folder, *one) for one in SETS) + hold_decimals(asked, folder) + hold_orders(asked, folder)
+        slips = hold_lines(asked, folder)
+    print(f"{tried} pairs of files: a certificate is verified beside the user's own alone; {slips} slips in certificates")
 
 
 if __name__ == "__main__":

@@ -13,7 +13,8 @@
     ... --only TEXT                           only the mutants whose description has this text
     ... --tests PATTERN --seconds 60          which tests; a mutant survives those that together take so long
 
-mutant_places.py says what a mutant changes. The ones to try are those whose description has the lowest hash values, so that
+mutant_places.py says what a mutant changes in C++, python_mutant_places.py and ocaml_mutant_places.py in the Python package and the
+readers of certificates. The ones to try are those whose description has the lowest hash values, so that
 a change of one line leaves the choice of all others as it was.
 
 All mutants are compiled at once, as in mutants.py. First each test is run without a mutant and writes down which mutants it
@@ -38,13 +39,15 @@ import subprocess
 import sys
 import time
 
-import mutants
-from mutant_places import NEVER, NOTHING, Mutant, generated
+from mutant_places import NEVER, NOTHING
 from mutants import AS_IN_THE_MAKEFILE, ROOT
+from mutated_sources import (ALL_TARGETS, FOR_OTHER_LANGUAGES, OTHER_LANGUAGES, VERIFIED, build, number, places_of,
+                             write_sources)
+from python_mutant_places import NO_ARGUMENT
 
-ALL_TARGETS = ["all"]
 # Those of the command, of the corpus and of the pages take seconds for each mutant that survives.
 NEAR_TESTS = "^(kernel|oracle|properties)/"
+NEAR_TESTS_OF = {"the Python package": "^python/", "readers of certificates": "^(proofs/|verified_)"}
 MEMORY = 8 << 30
 TABLE = "properties/generated_mutants.tsv"
 NOTICED = ROOT / "properties/mutants_noticed.tsv"
@@ -59,43 +62,17 @@ GROUPS = {"predicates": ["kernel/predicates/*.cpp", "kernel/exact/linear_algebra
           "ranks": ["oracle/distributed/*.[ch]pp"],
           "beyond rounding": ["oracle/judge/within/*.[ch]pp", "oracle/domain/*.cpp"],
           "fast judge": ["oracle/judge/fast/*.[ch]pp", "oracle/judge/fast/predicates/*.[ch]pp"],
-          "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"]}
-# Writers and what only says something in words decide nothing.
-NOT_MUTATED = re.compile(r".*_test\.[ch]pp|oracle/formats/bytes/unfinished_file\..*|oracle/judge/verdict_of_faults\..*")
-PRELUDE = """#ifndef CIRCUMSPECT_MUTATED
-#define CIRCUMSPECT_MUTATED
-extern int circumspect_mutant;
-extern unsigned char circumspect_reached[];
-[[gnu::always_inline]] inline bool circumspect_mutated(int number) {
-  circumspect_reached[number] = 1;
-  return circumspect_mutant == number;
-}
-#endif
-#line 1
-"""
-# A test that starts processes has several that write; each writes its lines with one call.
-DEFINITION = """
-#include <fcntl.h>
-#include <unistd.h>
-#include <cstdlib>
-#include <string>
-int circumspect_mutant = std::getenv("CIRCUMSPECT_MUTANT") == nullptr ? 0 : std::atoi(std::getenv("CIRCUMSPECT_MUTANT"));
-unsigned char circumspect_reached[%d];
-namespace {
-struct ReachedMutants {
-  ~ReachedMutants() {
-    const char* path = std::getenv("CIRCUMSPECT_REACHED");
-    if (path == nullptr) return;
-    std::string text;
-    for (int i = 0; i < %d; ++i) {
-      if (circumspect_reached[i] != 0) text += std::to_string(i) + "\\n";
-    }
-    const int file = open(path, O_WRONLY | O_APPEND | O_CREAT, 0600);
-    if (file < 0 || write(file, text.data(), text.size()) < 0 || close(file) < 0) _exit(99);
-  }
-} reached_mutants;
-}  // namespace
-"""
+          "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"],
+          "the Python package": ["python/circumspect/*.py"],
+          "readers of certificates": ["proofs/ocaml/*.ml"]}
+# Writers, pictures and what only says something in words decide nothing. The last two are for
+# tests.
+NOT_MUTATED = re.compile(r".*_test\.[ch]pp|oracle/formats/bytes/unfinished_file\..*|oracle/judge/verdict_of_faults\..*"
+                         r"|python/circumspect/drawing\.py|proofs/ocaml/(quick_test|answers)\.ml")
+
+
+
+
 def group_of(file):
     return next(group for group, patterns in GROUPS.items()
                 if any(pathlib.PurePath(file).match(p) and len(pathlib.PurePath(p).parts) == len(pathlib.PurePath(file).parts)
@@ -107,69 +84,16 @@ def files():
                    if not NOT_MUTATED.fullmatch(str(path.relative_to(ROOT)))})
 
 
+def near_tests(file):
+    """A pattern of the names of the tests that are tried on its mutants."""
+    return NEAR_TESTS_OF.get(group_of(file), NEAR_TESTS)
+
+
 def chosen(all_mutants, seed, count):
     """In an order that has nothing to do with where they are."""
     def rank(mutant):
         return hashlib.sha256("\t".join([str(seed), *mutant.key()]).encode()).digest()
     return sorted(all_mutants, key=rank)[:count]
-
-
-def with_mutants(source, inside, begin, end):
-    """The text of [begin, end) in which each expression asks for its mutants; `inside` are those of this stretch."""
-    out, at = [], begin
-    while inside:
-        start, stop = inside[0].place, inside[0].end
-        # What is left out as a whole has no value: it asks last, outside of the others.
-        here = sorted((m for m in inside if (m.place, m.end) == (start, stop)), key=lambda m: m.other in (NOTHING, NEVER))
-        deeper = [m for m in inside if m.place < stop and m not in here]
-        inside = [m for m in inside if m.place >= stop]
-        expression = with_mutants(source, deeper, start, stop)
-        for mutant in here:
-            expression = mutant.asked(expression)
-        out += [source[at:start], expression]
-        at = stop
-    return "".join([*out, source[at:end]])
-
-
-def write_sources(work, chosen_mutants, size):
-    mutants.write_sources(work, [])
-    by_file = collections.defaultdict(list)
-    for mutant in chosen_mutants:
-        by_file[mutant.file].append(mutant)
-    for file in {*by_file, mutants.HOME}:
-        source = (ROOT / file).read_bytes().decode("latin-1")
-        inside = sorted(by_file[file], key=lambda m: (m.place, -m.end))
-        text = PRELUDE + with_mutants(source, inside, 0, len(source)).encode("latin-1").decode()
-        mutants.write_if_new(work / file, text + (DEFINITION % (size, size) if file == mutants.HOME else ""))
-
-
-def number(chosen_mutants):
-    """They keep their numbers, so that files without a mutant that does not compile stay as they are. One more than the last."""
-    for count, mutant in enumerate(chosen_mutants, 1):
-        mutant.number = count
-    return len(chosen_mutants) + 1
-
-
-def build(work, chosen_mutants, targets):
-    """Compiles them, and drops those of lines that do not compile, such as arguments of templates."""
-    size = number(chosen_mutants)
-    write_sources(work, chosen_mutants, size)  # CMake wants to see them
-    subprocess.run(["cmake", "-DCIRCUMSPECT_QUICK_BUILD=ON", "-DCIRCUMSPECT_BUILD_TESTS=ON", "-DCIRCUMSPECT_BUILD_MPI=ON",
-                    "-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF", "--preset", "release"], cwd=work, check=True, stdout=subprocess.DEVNULL)
-    while True:
-        write_sources(work, chosen_mutants, size)
-        run = subprocess.run(["cmake", "--build", "--preset", "release", "--target", *targets, "--", "-k", "0"],
-                             cwd=work, check=False, capture_output=True, text=True, errors="replace")
-        if run.returncode == 0:
-            return chosen_mutants
-        faulty = {(str(pathlib.PurePath(found[1]).relative_to(work)), int(found[2]))
-                  for found in re.finditer(r"^(\S+?):(\d+):\d+: (?:fatal )?error", run.stdout, re.M)
-                  if pathlib.PurePath(found[1]).is_relative_to(work)}
-        kept = [m for m in chosen_mutants if (m.file, m.line_number) not in faulty]
-        if len(kept) == len(chosen_mutants):
-            sys.exit(run.stdout[-20000:] + "\ngenerated_mutants: the sources do not compile, and that is not a mutant's fault")
-        print(f"{len(chosen_mutants) - len(kept)} mutants do not compile", flush=True)
-        chosen_mutants = kept
 
 
 class Test:
@@ -181,14 +105,24 @@ class Test:
         self.environment = dict(pair.split("=", 1) for pair in values.get("ENVIRONMENT", []))
         if any(word.startswith("--source-file") for word in self.command):
             self.command.append("--abort-after=1")
-        self.seconds, self.reached = 0.0, set()
+        if "pytest" in self.command:
+            self.command.append("-x")
+        self.seconds, self.reached = 0.0, {}
+
+    def of_pytest(self, number):
+        """The command, for those of a file of pytest that come across this mutant."""
+        functions = self.reached.get(number, set())
+        if not functions or "" in functions:
+            return self.command
+        return [each for word in self.command
+                for each in ([f"{word}::{name}" for name in sorted(functions)] if word.endswith("_test.py") else [word])]
 
     def passes(self, number, limit, reached=None):
         environment = {**os.environ, **AS_IN_THE_MAKEFILE, **self.environment,
                        "CIRCUMSPECT_MUTANT": str(number)}
         if reached is not None:
             environment["CIRCUMSPECT_REACHED"] = str(reached)
-        with subprocess.Popen(["prlimit", f"--as={MEMORY}", *self.command], cwd=self.folder, env=environment,
+        with subprocess.Popen(["prlimit", f"--as={MEMORY}", *self.of_pytest(number)], cwd=self.folder, env=environment,
                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                               start_new_session=True) as process:
             try:
@@ -202,11 +136,16 @@ class Test:
                     pass
 
 
-def tests_of(work, targets, pattern):
+def tests_of(work, targets, patterns):
+    """Those whose name one of the patterns fits."""
     listed = json.loads(subprocess.run(["ctest", "--test-dir", "build/release", "--show-only=json-v1"], cwd=work, check=True,
                                        capture_output=True, text=True).stdout)["tests"]
+    # `make -C proofs mutants`, which `make test` runs before the others, and its first part.
+    listed += [{"name": "proofs/mutants", "properties": [],
+                "command": [str(work / name) for name in ("proofs/mutants/check.sh", VERIFIED, "build/proofs/quick-test")]},
+               {"name": "proofs/quick-test", "properties": [], "command": [str(work / "build/proofs/quick-test")]}]
     tests = [Test(work, description) for description in listed if "command" in description]
-    return [test for test in tests if not {"soak", "slow"} & set(test.labels) and re.search(pattern, test.name)
+    return [test for test in tests if not {"soak", "slow"} & set(test.labels) and any(re.search(p, test.name) for p in patterns)
             and (targets == ALL_TARGETS or any(pathlib.PurePath(word).name in targets for word in test.command))]
 
 
@@ -219,11 +158,12 @@ def record(work, tests):
     def run(test):
         reached = folder / test.name.replace("/", ":")
         started = time.monotonic()
-        if not test.passes(0, 3600, reached):
+        if not (test.passes(0, 3600, reached) or test.passes(0, 3600, reached)):  # a busy machine may be too slow for one
             print(f"left out, since it fails without a mutant: {test.name}", flush=True)
         elif reached.is_file():
             test.seconds = time.monotonic() - started
-            test.reached = {int(line) for line in reached.read_text().splitlines()}
+            for number, _, name in (line.partition(" ") for line in reached.read_text().splitlines()):
+                test.reached.setdefault(int(number), set()).add(re.sub(r"^.*?::|\[.*| \(.*", "", name))
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(run, tests))
@@ -248,8 +188,10 @@ def killer(mutant, tests, noticed, most):
 
 def digest(file):
     """Of what is not a comment."""
-    text = re.sub(r"\s*//[^\n]*|\s+", " ", (ROOT / file).read_text(encoding="utf-8"))
-    return hashlib.sha256(text.encode()).hexdigest()[:12]
+    text = (ROOT / file).read_text(encoding="utf-8")
+    language = places_of(file)
+    known = language.without_comments(text) if language in OTHER_LANGUAGES.values() else re.sub(r"\s*//[^\n]*|\s+", " ", text)
+    return hashlib.sha256(known.encode()).hexdigest()[:12]
 
 
 def read_noticed():
@@ -309,12 +251,20 @@ def faults(table):
             yield f"{where}: expected the reason why it changes no answer"
 
 
+def generated(file):
+    """The mutants of a file, in the order of their places."""
+    return places_of(file).generated(file)
+
+
 def all_of(work, names):
     """The mutants of these files. Parsing takes minutes, so they are kept in the folder, each file's by its content."""
     cache = work / "build/generated_mutants"
     cache.mkdir(parents=True, exist_ok=True)
-    own = inspect.getsource(sys.modules[generated.__module__]).encode()
-    kept = {file: cache / hashlib.sha256(own + file.encode() + (ROOT / file).read_bytes()).hexdigest() for file in names}
+    def kept_as(file):
+        own = inspect.getsource(places_of(file)).encode()
+        return cache / hashlib.sha256(own + file.encode() + (ROOT / file).read_bytes()).hexdigest()
+
+    kept = {file: kept_as(file) for file in names}
     missing = [file for file in kept if not kept[file].is_file()]
     # What libclang has parsed is freed when its process ends, and seldom before.
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count(), max_tasks_per_child=1) as pool:
@@ -339,7 +289,7 @@ def print_operators(killed, table):
     counts = collections.defaultdict(collections.Counter)
     for (file, line, other), name in killed.items():
         token = re.search("«(.*)»", line)[1]
-        kind = other if other in (NOTHING, NEVER, "swapped") else "number" if token[:1].isdigit() else f"{token} to {other}"
+        kind = other if other in (NOTHING, NEVER, NO_ARGUMENT, "swapped") else "number" if token[:1].isdigit() else f"{token} to {other}"
         counts[kind]["noticed" if name else "changes no answer" if (file, line, other) in table else "survives"] += 1
     for kind, of_it in sorted(counts.items()):
         print(f"{kind:24}" + ", ".join(f"{count} {what}" for what, count in sorted(of_it.items())))
@@ -356,7 +306,7 @@ def main():
     parser.add_argument("--files", type=re.compile, default=re.compile(""))
     parser.add_argument("--changed", action="store_true")
     parser.add_argument("--targets", type=lambda text: text.split(","), default=ALL_TARGETS, help="test programs, parted by commas")
-    parser.add_argument("--tests", default=NEAR_TESTS, help="a pattern of names of tests")
+    parser.add_argument("--tests", help="a pattern of names of tests")
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--untried", action="store_true")
     parser.add_argument("--again", action="store_true", help="only those that survived the last time")
@@ -387,14 +337,17 @@ def main():
     if options.sources:
         write_sources(work, tried, number(tried))
         return 0
-    to_try = build(work, [m for m in tried if options.only in "\t".join(m.key())], options.targets)
-    tests = record(work, tests_of(work, options.targets, options.tests))
+    tried = [m for m in tried if options.only in "\t".join(m.key())]
+    without_cpp = all(places_of(m.file) in OTHER_LANGUAGES.values() for m in tried)
+    to_try = build(work, tried, FOR_OTHER_LANGUAGES if without_cpp and options.targets == ALL_TARGETS else options.targets)
+    tests = record(work, tests_of(work, options.targets, {options.tests or near_tests(m.file) for m in tried}))
     print(f"{len(to_try)} mutants, {len(tests)} tests that come across one", flush=True)
     noticed, seconds = collections.Counter(), {}
 
     def timed_killer(mutant):
         started = time.monotonic()
-        name = killer(mutant, tests, noticed, options.seconds)
+        near = [test for test in tests if re.search(options.tests or near_tests(mutant.file), test.name)]
+        name = killer(mutant, near, noticed, options.seconds)
         seconds[mutant.key()] = time.monotonic() - started
         return name
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import circumspect
+from circumspect.domains import with_cells_of
 from circumspect import _core
 
 COMMAND = pathlib.Path(_core.__file__).resolve().parents[2] / "bin" / "circumspect"  # of the same build
@@ -130,6 +131,7 @@ COLLECTION = {"type": "FeatureCollection", "features": [
         __geo_interface__={"type": "Polygon", "coordinates": (tuple(map(tuple, OUTLINE)), tuple(map(tuple, HOLE)))}), 12),
     ([OUTLINE, HOLE, ISLAND], 13), ([OUTLINE, OUTLINE, HOLE, BESIDE], 8), ([[[*p, 7] for p in ring] for ring in (OUTLINE, HOLE)], 12),
     ("POLYGON Z ((0 0 1, 4 0 1, 0 4 1, 0 0 1)) POLYGONZM((4 0 1 8, 4 4 1 9, 0 4 1 8))", 16),
+    ("TRIANGLE ((0 0, 4 0, 0 4, 0 0)) TIN (((4 0, 4 4, 0 4, 4 0)))", 16),
     ("GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4)), LINESTRING (0 0, 0 4), MULTIPOINT ((3 1), (3 2)), POINT EMPTY)", 8)])
 def test_polygons_are_given_as_rings(shape, area, tmp_path):
     domain = circumspect.Domain.from_rings(shape)
@@ -162,6 +164,7 @@ def test_numbers_of_rings_are_exact():
 
 @pytest.mark.parametrize("shape, message", [
     ("[" * 100000, "too deep in one another"), ('{"type": "GeometryCollection", "geometries": [' * 50000, "too deep in one another"),
+    ("GEOMETRYCOLLECTION (POINT (0 0)", "'\\)' after a collection"), ("POINT Z (1 2)", "expected 3 coordinates of a position"),
     ("POLYGON ((0 0, 4 0, 4 4)", "line 1 of WKT: expected ',' or '\\)', found the end"),
     ("POLYGON (0 0, 4 0, 4 4)", r"expected '\(' or EMPTY, found '0'"),
     ("\nCIRCULARSTRING (0 0, 1 1, 2 0)", "line 2 of WKT: expected a geometry of straight lines"),
@@ -173,6 +176,13 @@ def test_numbers_of_rings_are_exact():
 def test_rings_that_are_none_are_refused(shape, message):
     with pytest.raises(ValueError, match=message):
         circumspect.Domain.from_rings(shape)
+
+
+def test_positions_stay_and_options_are_spelled():
+    text = "GEOMETRYCOLLECTION Z (POLYGON Z ((0 0 1, 4 0 1, 4 4 1)), MULTIPOINT Z ((3 1 1), (3 2 1)))"
+    assert circumspect.Domain.from_rings(text).size() == "5 points, 0 segments, 1 polygon"
+    with pytest.raises(ValueError, match="expected coordinates='double' or coordinates='decimal', found 'decimals'"):
+        circumspect.Domain.from_rings(OUTLINE, coordinates="decimals")
 
 
 def test_a_list_that_holds_itself_is_refused():
@@ -217,3 +227,34 @@ def test_a_terrain_is_seen_from_above():
                             ((RINGS, [[0, 1, 2]], "x"), "3 coordinates for drop, found 2")):
         with pytest.raises(ValueError, match=message):
             circumspect.check(*faulty[:2], drop=faulty[2])
+
+
+def test_a_surface_is_a_domain_by_its_triangles():
+    points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]]  # the last is a dent of the hull
+    faces = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 4], [1, 3, 4], [2, 3, 4]]
+    surface = types.SimpleNamespace(vertices=np.array(points, float), faces=np.array(faces))
+    cells = [[0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4]]
+    assert circumspect.check(points, cells, "plc-triangulation", domain=surface)
+    assert not circumspect.check(points, [*cells, [1, 2, 3, 4]], "plc-triangulation", domain=surface)
+    for wrong in (np.array([[0, 1, 2, 3]]), np.array([0, 1, 2])):
+        with pytest.raises(ValueError, match="a surface of triangles as a domain|of shape"):
+            circumspect.check(points, cells, domain=types.SimpleNamespace(vertices=surface.vertices, faces=wrong))
+    for keys in ({"points": points, "hole": []}, {"segments": []}):
+        with pytest.raises(ValueError, match="expected a domain with the keys"):
+            circumspect.check(points, cells, domain=keys)
+    for dimension in (1, 4):
+        with pytest.raises(ValueError, match=f"of the plane or of space, found points of {dimension} coordinates"):
+            circumspect.Domain(np.eye(dimension))
+
+
+def test_a_domain_with_all_of_its_cells_is_the_same():
+    square = [[0, 0], [4, 0], [4, 4], [0, 4]]
+    flat = circumspect.Domain([[*p, 0] for p in square], polygons=[[0, 1, 2, 3]], holes=[], polygon_holes={0: [[5, 5, 0]]}, merge_coplanar=True)
+    for domain in (flat, circumspect.Domain(square, [[0, 1]], resolve=True, regions=[[1, 1]])):
+        again = with_cells_of(domain, range(len(domain.segments)), range(len(domain.polygons)))
+        assert all(np.array_equal(a, b) for a, b in zip(domain.parts(), again.parts()))
+    assert circumspect.Domain(square, [[0, 1]]).lists()[-1] is False and circumspect.Domain(square).lists()[-1] is True
+    for options in ({"kind": "even-odd"}, {"kind": "winding"}, {"regions": [[1, 1]]}, {"merge_coplanar": True}, {"resolve": True},
+                    {"polygons": [[0, 1, 2]]}):
+        with pytest.raises(ValueError, match="expected a domain that fills all that it encloses"):
+            circumspect.Domain(square, [[0, 1]], **options).lists()

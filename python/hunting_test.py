@@ -56,6 +56,8 @@ def test_a_campaign_survives_crashes_and_hangs():
                                  families=["integers"])
     reports = {finding.rule: finding.report for finding in found.findings}
     assert "signal 11" in reports["crash"] and "0.5 s" in reports["hang"]
+    ended = circumspect.minimize(lambda points: os._exit(3), [[0, 0], [1, 0], [0, 1]], isolated=True, time=0.1)
+    assert (ended.rule, ended.report) == ("crash", "the process ended by exit code 3")
 
 
 def test_a_campaign_is_quick():
@@ -162,6 +164,7 @@ def test_hypothesis_shrinks():
     @hypothesis.given(strategies.points(dimension=2, max_points=10))
     def drop_one(points):
         made = circumspect.delaunay(points)
+        assert circumspect.inspect(points)["dimension"] == 2
         seen.append(points)
         if len(made) > 1:
             circumspect.assert_delaunay(points, made[1:])
@@ -178,6 +181,16 @@ def test_hypothesis_shrinks():
         circumspect.assert_delaunay(points, circumspect.delaunay(points))
 
     right()
+    drawn = set()
+
+    @hypothesis.settings(max_examples=10, deadline=None, database=None, derandomize=True)
+    @hypothesis.given(strategies.domains(dimension=2, families=["planar-segments"], max_points=4))
+    def of_many_seeds(domain):
+        drawn.update(map(tuple, domain.points.tolist()))
+
+    of_many_seeds()
+    assert drawn - {*map(tuple, circumspect.generate_domain("planar-segments", points=4).points.tolist())}
+
     @hypothesis.settings(max_examples=60, deadline=None, database=None, derandomize=True)
     @hypothesis.given(strategies.domains(dimension=3, families=["furnished-boxes"]))
     def few_polygons(domain):
@@ -209,5 +222,7 @@ def test_numbers_that_no_campaign_can_use():
                               "finite weights, found nan")):
         with pytest.raises(ValueError, match=message):
             refused()
+    with pytest.raises(circumspect.InputError, match="distinct points"):
+        circumspect.minimize(lambda points: [], [*points, points[0]])
     with pytest.raises(TypeError, match="numbers as weights, found None"):
         circumspect.minimize(lambda points, weights: [], points, weights=[0, 1, None])

@@ -1,5 +1,7 @@
 """Laws of the package circumspect: no number, cell or option is lost on the way to the judge, whatever form it comes in. Run by pytest."""
 import copy
+import decimal
+import inspect
 import itertools
 import types
 from fractions import Fraction
@@ -8,6 +10,7 @@ import numpy as np
 import pytest
 
 import circumspect
+from circumspect.meshes import guarded, mesh_of, with_faces
 
 CUBE = [[x, y, z] for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
 QUADS = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
@@ -184,12 +187,29 @@ def test_a_mesh_is_compared_by_its_own_weights():
 
 
 def test_indices_without_a_sign_are_what_they_are():
-    for kind in (np.uint32, np.uint64):
-        wrong = np.array([[0, 1, np.iinfo(kind).max]], dtype=kind)
+    for kind, index in ((np.uint32, 2**32 - 1), (np.uint64, 2**64 - 1), (np.uint64, 2**63 - 1)):
+        wrong = np.array([[0, 1, index]], dtype=kind)
         try:
             assert "triangulation.unknown-vertex" in circumspect.check(POINTS[:4, :2], wrong).rules
         except ValueError as error:
-            assert "64 bits" in str(error)  # larger than indices may be
+            assert "64 bits" in str(error) and index >= 2**63
+
+
+def test_what_is_no_integer_is_no_index_whatever_holds_it():
+    def judged(index):
+        return circumspect.check(POINTS[:3, :2], np.array([[0, 1, index]], dtype=object), "triangulation")
+
+    assert judged(2)
+    for index in (True, 2.0, "2", Fraction(2), decimal.Decimal(2)):
+        with pytest.raises(TypeError, match="expected integers as simplices, found other objects"):
+            judged(index)
+    for index in (-1, 3, 2**63 - 1, -2**63):
+        assert "triangulation.unknown-vertex" in judged(index).rules
+    for index in (2**63, -2**63 - 1):
+        with pytest.raises(ValueError, match="simplices of 64 bits, found larger ones"):
+            judged(index)
+    with pytest.raises(ValueError, match=r"simplices of shape \(m, 3\), found \(0, 7\)"):
+        circumspect.check(POINTS[:3, :2], np.zeros((0, 7), int))
 
 
 def test_a_hull_of_a_library_is_judged_whole():
@@ -401,3 +421,20 @@ def test_faces_that_are_given_stand_for_those_of_the_mesh():
             assert circumspect.check(mesh, claim="complex", faces=faces, demands="allow-unused")
         if own:
             assert not circumspect.check(mesh, claim="complex", demands="faces allow-unused")
+
+
+def test_what_is_judged_is_no_memory_of_others(monkeypatch):
+    mesh = with_faces(mesh_of(POINTS[:4], np.array([[0, 1, 2, 3]]), np.full((1, 4), -1), np.ones(4)), np.array([[0, 1, 2]]))
+    for faces in (mesh, with_faces(mesh, np.array([[0, 1]]))):
+        for own, copied in zip(faces.parts()[1:], guarded(faces).parts()[1:]):
+            assert own is copied is None or np.array_equal(own, copied) and not np.shares_memory(own, copied)
+    judged = []
+    monkeypatch.setattr(circumspect, "guarded", lambda mesh: judged.append(mesh) or guarded(mesh))
+    for copy_of_it in (True, False):
+        circumspect.check(POINTS[:4], [[0, 1, 2, 3]], copy=copy_of_it)
+        assert len(judged) == 1
+
+
+def test_an_option_of_two_functions_has_one_default():
+    defaults = [inspect.signature(function).parameters for function in (circumspect.check, circumspect.check_voronoi)]
+    assert {name for name in defaults[0].keys() & defaults[1] if defaults[0][name].default != defaults[1][name].default} == {"within", "name"}

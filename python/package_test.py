@@ -77,7 +77,9 @@ def test_a_verdict_and_its_parts():
     assert "fails" in repr(verdict)
     with pytest.raises(circumspect.CheckFailed, match="vertex 3") as caught:
         verdict.raise_for_failure()
-    assert caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
+    assert str(caught.value) == str(verdict).rstrip() and caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
+    over = circumspect.check([[0, 0], [4, 0], [0, 4], [1, 1], [5, 1], [1, 5]], [[0, 1, 2], [3, 4, 5]], "triangulation").violations
+    assert any(one.point is not None and len(one.point) == 2 for one in over) and repr(circumspect.compare((POINTS, RIGHT), (POINTS, RIGHT))) == "<Comparison same>"
     holds = circumspect.check(POINTS, RIGHT)
     assert holds.unique is True and holds.canonical is True and holds.raise_for_failure() is holds
     assert circumspect.check(POINTS, RIGHT, "triangulation").unique is None
@@ -106,6 +108,8 @@ def test_what_a_notebook_keeps_is_small():
     many = circumspect.check(moved, cells, "complex", max_errors=0)
     assert sum(many.rules.values()) > 500 and len(many._repr_html_()) <= 60000
     assert 1 <= circumspect.check(moved, cells, "complex")._repr_html_().count("<svg") <= 3
+    wide = circumspect.check(np.random.default_rng(4).random((60, 2)), [range(60)])  # a picture of 1,770 edges
+    assert "simplex.wrong-dimension" in wide.rules and len(wide._repr_html_()) <= 60000
     near = circumspect.check([[0, 0], [1, 0], [1e-300, 1e-300], [0, 1]], [[0, 1, 2]], "triangulation")
     assert "nan" not in near._repr_html_() and "<svg" in near._repr_html_()
 
@@ -228,6 +232,11 @@ def test_objects_of_other_libraries():
     assert circumspect.check(triangulation)
     triangulation.set_mask([True] + [False] * (len(triangulation.triangles) - 1))
     assert not circumspect.check(triangulation)
+    for mask, holds in (([False, True], True), ([True, False], False), (None, False)):  # the second is flat
+        two = types.SimpleNamespace(x=[0, 1, 0], y=[0, 0, 1], triangles=[[0, 1, 2], [0, 0, 1]], mask=mask and np.array(mask))
+        assert bool(circumspect.check(two)) is holds
+    of_no_row = types.SimpleNamespace(points=plane.points, cells_dict={"tetra": np.zeros((0, 4), int), "triangle": plane.simplices})
+    assert circumspect.check(of_no_row) and circumspect.compare(of_no_row, (plane.points, plane.simplices))
     cells = {"tetra": mesh.simplices, "triangle": mesh.convex_hull}
     assert circumspect.check(types.SimpleNamespace(points=mesh.points, cells_dict=cells))
     as_pyvista = types.SimpleNamespace(points=plane.points.astype(np.float32), cells_dict={5: plane.simplices})
@@ -308,6 +317,7 @@ def test_families():
     assert (circumspect.generate("sphere", seed=5) == circumspect.generate("sphere", seed=5)).all()
     exact = circumspect.generate("sphere", dimension=2, points=5, seed=5, exact=True)
     assert {sum(x * x for x in point) for point in exact} and isinstance(exact[0][0], Fraction)
+    assert not any(family.weighted or family.repeats_points for family in families if family.is_of_domains)
     weighted = next(family for family in families if family.weighted)
     points, weights = circumspect.generate(weighted.name, dimension=weighted.dimensions[-1])
     assert len(points) == len(weights)

@@ -69,11 +69,23 @@ def test_a_diagram_of_scipy_is_right_within_rounding(dimension):
     assert not circumspect.check_voronoi(diagram, within=1e-9)
 
 
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_cell_without_a_corner_is_missing(dimension):
+    sites, parts = 8 * np.eye(2, dimension), {"cells": [[-1], [-1]], "ridges": [[0, 1]], "ridge_vertices": [[-1]], "structure": True}
+    assert circumspect.check_voronoi(sites, [], **parts).rules == {"voronoi.cell-missing": 2}
+    assert len(circumspect.check_voronoi(sites, np.zeros((1, dimension)), **parts).rules) == 2
+
+
 def test_what_is_no_diagram_is_refused():
     with pytest.raises(ValueError, match="expected a cell for each of 5 sites, found 1"):
         circumspect.check_voronoi(SQUARE, [[2, 2]], [[0]])
-    with pytest.raises(TypeError, match="expected vertices and cells beside sites"):
-        circumspect.check_voronoi(SQUARE)
+    for cells in ({}, {"cells": [[0]] * 5}, {"vertices": [[2, 2]]}):
+        with pytest.raises(TypeError, match="expected vertices and cells beside sites"):
+            circumspect.check_voronoi(SQUARE, **cells)
+    with pytest.raises(ValueError, match=r"expected vertices of shape \(n, 2\), found \(1, 3\)"):
+        circumspect.check_voronoi(SQUARE, [[2, 2, 0]], [[0]] * 5)
+    with pytest.raises(ValueError, match="expected the vertices of each of 2 ridges, found 1"):
+        circumspect.check_voronoi(SQUARE, [[2, 2]], [[0]] * 5, [[0, 1], [1, 2]], [[0]])
     with pytest.raises(TypeError, match="expected doubles as sites"):
         circumspect.check_voronoi([[Fraction(1, 3), 0]], [[0, 0]], [[0]])
 
@@ -81,13 +93,18 @@ def test_what_is_no_diagram_is_refused():
 def test_a_mesh_that_repeats():
     cells, offsets = [[0, 0, 0], [0, 0, 0]], [[[0, 0], [1, 0], [1, 1]], [[0, 0], [1, 1], [0, 1]]]
     judged = lambda **how: circumspect.check([[0.25, 0.5]], cells, "periodic-delaunay", **how)
-    assert judged(lattice=[1, 1], offsets=offsets)
+    for kind in (np.int64, np.int8, np.int32, np.uint16, np.uint64):
+        assert judged(lattice=[1, 1], offsets=np.array(offsets, kind))
+    with pytest.raises(TypeError, match="expected integers as offsets, found an array of float64"):
+        judged(lattice=[1, 1], offsets=np.array(offsets) + 0.5)
     assert judged(lattice=[[1, 0], [0, 1]], offsets=np.array(offsets)).claim == "periodic-delaunay"
     assert judged(lattice=[[1, 0], [1, 1]], offsets=offsets).rules == {"delaunay.facet-not-local": 1}
     with pytest.raises(ValueError, match="linearly dependent"):
         judged(lattice=[[1, 2], [2, 4]], offsets=offsets)
     with pytest.raises(ValueError, match="expected lattice and offsets beside the claim periodic-delaunay"):
         judged(lattice=[1, 1])
+    with pytest.raises(ValueError, match="expected 2 vectors as a lattice, found 1"):
+        judged(lattice=[[1, 0]], offsets=offsets)
     with pytest.raises(ValueError, match=r"expected offsets of shape \(2, 3, 2\), found \(2, 3\)"):
         judged(lattice=[1, 1], offsets=cells)
     with pytest.raises(ValueError, match="expected the claim periodic-delaunay beside lattice, found delaunay"):

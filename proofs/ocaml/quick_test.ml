@@ -27,7 +27,7 @@ let words () =
           expect "mul" (x * y = wrapped (Big.mul (z x) (z y)));
           expect "comparisons" (Word.less x y = Big.lt (z x) (z y) && Word.at_most x y = Big.leq (z x) (z y)
                                 && Word.equal x y = Big.equal (z x) (z y))) interesting;
-      for k = -1 to 63 do
+      for k = -65 to 65 do
         let inside = k >= 0 && k <= 62 in
         let power = Big.shift_left Big.one (max k 0) in
         expect "up" (Word.up x k = if inside then wrapped (Big.mul (z x) power) else 0);
@@ -37,10 +37,10 @@ let words () =
           List.iter (fun big ->
               let y = if s < 0 then Big.zero else Big.fdiv big (Big.shift_left Big.one (min s 200)) in
               let most = Big.shift_left Big.one 58 in
-              let fits = s >= 0 && Big.leq (Big.neg most) y && Big.lt y most in
+              let fits = s >= 0 && s <= 1 lsl 20 && Big.leq (Big.neg most) y && Big.lt y most in
               expect "fits" (Word.fits s big = fits);
               expect "shifted" (Word.shifted s big = if fits then Big.to_int y else 0))
-            [ z x; Big.mul (z x) (z 1000003); Big.mul (z x) (z x) ]) [ -1; 0; 1; 13; 64 ]) interesting;
+            [ z x; Big.mul (z x) (z 1000003); Big.mul (z x) (z x) ]) [ -1; 0; 1; 13; 64; 1 lsl 20; 1 lsl 20 + 1 ]) interesting;
   expect "upto" (Word.upto 3 = [ 1; 2; 3 ] && Word.upto 0 = [] && Word.upto (-2) = []);
   let seen = ref [] in
   expect "all" (Word.all 4 (fun k -> seen := k :: !seen; true) && !seen = [ 4; 3; 2; 1 ]

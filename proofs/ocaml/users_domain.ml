@@ -96,7 +96,8 @@ let facet ~exactly source markers first count =
     | Some token when Text.is_integer token && token.[0] <> '-' -> Text.count source token
     | None when i = 1 -> 0
     | _ -> Text.fail source expected "other numbers" in
-  if counted 0 = 0 then Text.fail source "a facet of at least 1 polygon" "0";
+  let lines_listed = counted 0 and gaps_listed = counted 1 in
+  if lines_listed = 0 then Text.fail source "a facet of at least 1 polygon" "0";
   if List.length tokens > 2 + markers then Text.fail source expected "more numbers";
   List.iteri (fun i token -> if i = 2 then any_index source token) tokens;
   let polygon () =
@@ -110,13 +111,13 @@ let facet ~exactly source markers first count =
       | token :: _ when left = 0 -> Text.fail source "the end of the line" (Text.quote token)
       | token :: rest -> corners (vertex source first count token :: found) (left - 1) rest in
     without_repetitions (corners [] n (List.tl tokens)) in
-  let lines = repeated (counted 0) polygon in
+  let lines = repeated lines_listed polygon in
   let gap () =
     let tokens = Text.next_of source "a hole of a facet" in
     if List.length tokens <> 4 then Text.fail source "4 columns" (string_of_int (List.length tokens));
     any_index source (List.hd tokens);
     coordinates ~exactly source 3 (List.tl tokens) in
-  let gaps = repeated (counted 1) gap in
+  let gaps = repeated gaps_listed gap in
   let rim = Edges.of_list (List.concat_map edges_of_line lines) in
   let has_area = List.exists (fun line -> List.length line > 2) lines || gaps <> [] || has_cycle rim in
   (rim, if has_area then Some { rim; gaps; line } else None)
