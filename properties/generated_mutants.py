@@ -162,9 +162,10 @@ def build(work, chosen_mutants, targets):
                              cwd=work, check=False, capture_output=True, text=True, errors="replace")
         if run.returncode == 0:
             return chosen_mutants
-        faulty = {(str(pathlib.PurePath(found[1]).relative_to(work)), int(found[2]))
-                  for found in re.finditer(r"^(\S+?):(\d+):\d+: (?:fatal )?error", run.stdout, re.M)
-                  if pathlib.PurePath(found[1]).is_relative_to(work)}
+        # A compiler cache may have made the paths relative to where the compiler runs.
+        found_in = [((work / "build/release" / found[1]).resolve(), int(found[2]))
+                    for found in re.finditer(r"^(\S+?):(\d+):\d+: (?:fatal )?error", run.stdout, re.M)]
+        faulty = {(str(path.relative_to(work)), line) for path, line in found_in if path.is_relative_to(work)}
         kept = [m for m in chosen_mutants if (m.file, m.line_number) not in faulty]
         if len(kept) == len(chosen_mutants):
             sys.exit(run.stdout[-20000:] + "\ngenerated_mutants: the sources do not compile, and that is not a mutant's fault")
@@ -359,7 +360,7 @@ def main():
     parser.add_argument("--tests", default=NEAR_TESTS, help="a pattern of names of tests")
     parser.add_argument("--seconds", type=float, default=20)
     parser.add_argument("--untried", action="store_true")
-    parser.add_argument("--again", action="store_true", help="only those that survived the last time")
+    parser.add_argument("--again", action="store_true", help="only those that survived the last time without a reason")
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     names = [file for file in files() if options.files.search(file)]
@@ -380,7 +381,7 @@ def main():
         print("\n".join("\t".join(key) for key, name in killed.items() if name is None and key not in table))
         return 0
     if options.again:  # what was killed, and what did not compile, is neither looked for nor compiled again
-        open_ones = {key for key, name in killed.items() if name is None and options.only in "\t".join(key)}
+        open_ones = {key for key, name in killed.items() if name is None and key not in table and options.only in "\t".join(key)}
         tried = [m for m in all_of(work, sorted({key[0] for key in open_ones})) if m.key() in open_ones]
     else:
         tried = chosen(all_of(work, sum(changed(names), []) if options.changed else names), options.seed, options.count)
