@@ -40,6 +40,9 @@ CLAIMS = {"points": ("triangulation", "delaunay"), "alone": ("complex",), "domai
 # How many faults a mesh gets; of others none or one.
 FAULTS = {"alone": (0, 1, 2, 3), "hulls": (0, 1), "surfaces": (0, 1, 2)}
 KEPT = pathlib.Path("forgeries-failed")
+# What the oracle does not take: no claim holds of equal points, no simplices, or a simplex of more
+# than D+1 vertices, which are no simplex of R^D.
+NOTHING_HOLDS = "expected (distinct points|simplices, found none|at most [0-9]+ vertices of a simplex in dimension)"
 
 
 class Wrong(Exception):
@@ -99,7 +102,7 @@ class Programs:
             if ended.returncode == 4:  # a lattice with a long vector takes the definitions long
                 self.by_lemma += 1
                 ended = self.run(*asked)
-            if ended.returncode == 3 and re.search("expected distinct points|expected simplices, found none", ended.stderr):  # nothing holds of these
+            if ended.returncode == 3 and re.search(NOTHING_HOLDS, ended.stderr):
                 self.truths[key] = {"verdict": "input", "rules": []}
             elif ended.returncode == 3 and "the lattice moves none to another" in ended.stderr:  # docs/theory/definitions.md
                 self.truths[key] = {"verdict": "not asked", "rules": []}

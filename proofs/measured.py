@@ -19,7 +19,8 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 # Points that make some 10^6 triangles, and 10^6 tetrahedra.
 POINTS = {2: 500_500, 3: 149_500}
-# So many times the inputs that forgeries.py draws by itself, and forgeries of each: more than 10^5 in all.
+# So many times the inputs that forgeries.py draws by itself, and forgeries of each: more than
+# 10^5 in all.
 BATCHES, FORGERIES = 16, 50
 
 

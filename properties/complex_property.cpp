@@ -9,6 +9,7 @@
 #include "inputs/dice.hpp"
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
+#include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/stray_faces.hpp"
 #include "oracle/model/listed_mesh_test.hpp"
@@ -285,6 +286,126 @@ TEST_CASE("complex: a part within another one overlaps it, whichever of many tha
       CHECK(verdict.holds() == (within == kParts));
       CHECK(verdict.tallies().contains(Rule::kOverlap) == (within < kParts));
     }
+  }
+}
+
+// Simplices of a grid in which some vertices are in no facet of the boundary: most of them, or
+// those at one such vertex alone.
+std::vector<Simplex> some_of_grid(Dice& dice, std::size_t d, std::size_t side) {
+  const auto rows =
+      d == 2 ? fast::grid_mesh<2>(side).simplices : fast::grid_mesh<3>(side).simplices;
+  const Vertex inner = d == 2 ? 12 : 21;
+  const bool is_star = dice.below(2) == 0;
+  const std::size_t left_out = dice.below(4);  // of ten
+  std::vector<Simplex> simplices;
+  for (std::size_t i = 0; i < rows.size(); i += d + 1) {
+    Simplex simplex;
+    for (std::size_t k = 0; k <= d; ++k) simplex.push_back(rows[i + k]);
+    if (is_star ? contains(simplex, inner) : dice.below(10) >= left_out) {
+      simplices.push_back(simplex);
+    }
+  }
+  return simplices;
+}
+
+// Some of several grids in a row; each may touch the one before it at a vertex. All points are
+// used.
+ListedComplex of_several_grids(Dice& dice, std::size_t d) {
+  const long side = d == 2 ? 5 : 4;
+  ListedComplex mesh;
+  std::map<Point, Vertex> known;
+  Rational moved = 0;
+  for (std::size_t grids = 1 + dice.below(3); grids > 0; --grids) {
+    for (Simplex& simplex : some_of_grid(dice, d, static_cast<std::size_t>(side))) {
+      for (Vertex& v : simplex) {
+        Point point;
+        for (std::size_t axis = 0; axis < d; ++axis, v /= side) point.push_back(v % side + moved);
+        const auto [found, is_new] = known.emplace(point, static_cast<Vertex>(known.size()));
+        if (is_new) mesh.points.push_back(point);
+        v = found->second;
+      }
+      mesh.simplices.push_back(simplex);
+    }
+    moved += side - static_cast<long>(dice.below(2));
+  }
+  return mesh;
+}
+
+// What bounds such grids: surfaces that are closed and may touch. At times one triangle is left
+// out, or one or all are turned.
+ListedComplex surfaces_of_several_grids(Dice& dice) {
+  ListedComplex mesh = of_several_grids(dice, 3);
+  std::map<Simplex, Simplex> facets;  // as they are turned outwards, by their vertices
+  for (const Simplex& simplex : mesh.simplices) {
+    for (std::size_t i = 0; i <= 3; ++i) {
+      Simplex facet = facet_opposite(simplex, i);
+      const Simplex vertices = sorted(facet);
+      if (i % 2 == 1) std::swap(facet[0], facet[1]);
+      if (!facets.emplace(vertices, facet).second) facets.erase(vertices);
+    }
+  }
+  mesh.simplices.clear();
+  const bool are_turned = dice.below(4) == 0;
+  for (auto& [vertices, facet] : facets) {
+    if (are_turned) std::swap(facet[1], facet[2]);
+    mesh.simplices.push_back(facet);
+  }
+  if (dice.below(3) == 0) erase_any(dice, mesh.simplices);
+  if (dice.below(3) == 0) std::swap(mesh.simplices.front()[1], mesh.simplices.front()[2]);
+  std::map<Vertex, Vertex> own;
+  ListedComplex surfaces;
+  for (Simplex& facet : mesh.simplices) {
+    for (Vertex& v : facet) {
+      const auto [found, is_new] = own.emplace(v, static_cast<Vertex>(own.size()));
+      if (is_new) surfaces.points.push_back(mesh.points.at(static_cast<std::size_t>(v)));
+      v = found->second;
+    }
+    surfaces.simplices.push_back(facet);
+  }
+  return surfaces;
+}
+
+// How many have several parts, and how many are judged by the fast engine.
+struct Parts {
+  std::size_t several = 0, fast = 0, held = 0;
+};
+
+void compare_parts(const ListedComplex& listed, const ComplexDemands& demands, Parts& seen) {
+  const Mesh mesh = in_arrays(listed);
+  const Verdict by_lemma = check::judge_complex(listed, demands, false, 0);
+  const Verdict of_arrays =
+      check::judge(Claim::kComplex, mesh, nullptr, {.complex = demands, .max_violations = 0})
+          .value();
+  RC_ASSERT(text(of_arrays, mesh) == text(by_lemma, mesh));
+  seen.fast += of_arrays.course.fast ? 1 : 0;
+  seen.several += of_arrays.complex->parts > 1 ? 1 : 0;
+  seen.held += of_arrays.holds() ? 1 : 0;
+}
+
+TEST_CASE("complex: large parts are counted, and asked of, as by lemma") {
+  Parts in_plane, in_space, of_surfaces;
+  CHECK(holds("parts in the plane", 200, [&] {
+    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    compare_parts(of_several_grids(dice, 2), {}, in_plane);
+  }));
+  CHECK(holds("parts in space", 60, [&] {
+    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    compare_parts(of_several_grids(dice, 3), {}, in_space);
+  }));
+  CHECK(holds("surfaces", 300, [&] {
+    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    const ListedComplex listed = surfaces_of_several_grids(dice);
+    const std::size_t which = dice.below(4);  // of what is seldom asked for at once
+    const ComplexDemands demands{.manifold = which == 0,
+                                 .connected = which == 1,
+                                 .closed = which == 2,
+                                 .oriented = static_cast<Orientations>(dice.below(4))};
+    compare_parts(listed, demands, of_surfaces);
+  }));
+  for (const Parts& seen : {in_plane, in_space, of_surfaces}) {
+    CHECK(occurs(seen.several));
+    CHECK(occurs(seen.fast));
+    CHECK(occurs(seen.held));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/dice.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/periodic/judge_periodic.hpp"
 #include "oracle/judge/periodic/unfolded.hpp"
 #include "oracle/model/listed_mesh_test.hpp"
@@ -239,6 +240,55 @@ void break_once(Dice& dice, ListedMesh& mesh) {
   }
 }
 
+// Of cells that do not fit together nobody asks what they cover, and of those that cover something
+// twice nobody asks about balls.
+void check_stages(const Verdict& verdict) {
+  const auto breaks = [&](Rule rule) { return verdict.tallies().contains(rule); };
+  const bool do_not_fit =
+      breaks(Rule::kNotClosed) || breaks(Rule::kFacetOverused) || breaks(Rule::kOverlap);
+  RC_ASSERT(!do_not_fit || !breaks(Rule::kCoveredTwice));
+  RC_ASSERT(!(do_not_fit || breaks(Rule::kCoveredTwice)) || !breaks(Rule::kFacetNotLocal));
+}
+
+// The second cell, moved as the witness says.
+std::vector<Point> second_cell(const Witness& witness, const ExactMesh& mesh,
+                               const Copies& copies) {
+  RC_ASSERT(witness.simplices.size() == 2);
+  RC_ASSERT(witness.values.size() >= copies.lattice.size());
+  std::vector<Point> corners = coordinates(mesh.points, witness.simplices[1]);
+  for (std::size_t i = 0; i < copies.lattice.size(); ++i) {
+    for (Point& corner : corners) corner = corner + witness.values[i].value * copies.lattice[i];
+  }
+  return corners;
+}
+
+// Cells are named by their places, too; where two have common points, the second one is moved
+// there, and one cell is not named twice.
+void check_witness(const Violation& violation, const ExactMesh& mesh, const Copies& copies) {
+  const Witness& witness = violation.witness;
+  if (!witness.places.empty()) RC_ASSERT(witness.places.size() == witness.simplices.size());
+  for (std::size_t i = 0; i < witness.places.size(); ++i) {
+    RC_ASSERT(mesh.simplices[witness.places[i]] == witness.simplices[i]);
+  }
+  const bool is_covered_twice = violation.rule == Rule::kCoveredTwice;
+  if (!is_covered_twice && violation.rule != Rule::kOverlap) return;
+  std::vector<Point> corners = second_cell(witness, mesh, copies);
+  RC_ASSERT(witness.places[0] != witness.places[1] ||
+            corners != coordinates(mesh.points, witness.simplices[0]));
+  for (const Vertex v : is_covered_twice ? Simplex() : *witness.face) {
+    RC_ASSERT(std::count(corners.begin(), corners.end(), mesh.points[v]) == 1);
+  }
+  if (!is_covered_twice) return;
+  RC_ASSERT(*witness.point == barycentre(coordinates(mesh.points, witness.simplices[0])));
+  if (std::count(corners.begin(), corners.end(), *witness.point) == 1) return;
+  corners.push_back(*witness.point);
+  const Configuration points(corners);
+  const auto last = static_cast<Vertex>(corners.size() - 1);
+  for (const int sign : barycentric_signs(points, first_subset(corners.size() - 1), last)) {
+    RC_ASSERT(sign >= 0);
+  }
+}
+
 struct Outcomes {
   std::map<Rule, std::size_t> broken = {};
   std::size_t held = 0, refused = 0;
@@ -266,12 +316,10 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     RC_ASSERT(by_lemma.holds() == by_definition.holds());
     seen.held += by_lemma.holds() ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
-    // Two cells with a common point are named, and how one of them is moved there.
+    check_stages(by_lemma);
+    const ExactMesh whole = exact(unfolded);
     for (const Violation& violation : by_lemma.violations()) {
-      const Witness& witness = violation.witness;
-      if (violation.rule == Rule::kCoveredTwice) RC_ASSERT(witness.simplices.size() == 2);
-      if (violation.rule == Rule::kCoveredTwice) RC_ASSERT(witness.point.has_value());
-      if (violation.rule == Rule::kOverlap) RC_ASSERT(!witness.values.empty());
+      check_witness(violation, whole, *unfolded.copies);
     }
   }));
 }
@@ -330,8 +378,10 @@ TEST_CASE("periodic-delaunay: balls are looked at once every point is a vertex")
                      .offsets = {{0, 0, 1, 0, 1, 1}, {0, 0, 0, 1, 1, 1}}};
   const std::vector<Simplex> cells(2, {0, 0, 0});
   CHECK(broken_by_definition({{0, 0}}, cells, how).empty());
-  CHECK(broken_by_definition({{0, 0}, {Rational(1, 2), Rational(1, 3)}}, cells, how) ==
-        std::set{Rule::kUnusedPoint});
+  const Point unused = {Rational(1, 2), Rational(1, 3)};
+  CHECK(broken_by_definition({{0, 0}, unused}, cells, how) == std::set{Rule::kUnusedPoint});
+  const std::vector<Simplex> of_the_second(2, {1, 1, 1});
+  CHECK(broken_by_definition({unused, {0, 0}}, of_the_second, how) == std::set{Rule::kUnusedPoint});
 }
 
 TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either direction") {
@@ -350,6 +400,31 @@ TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either directio
             std::string::npos);
     }
     offset = 0;
+  }
+}
+
+TEST_CASE("periodic-delaunay: a lattice is refused that has not a vector for each axis") {
+  Mesh listed;
+  listed.coordinates = numbers_of({{0, 0}}, 2);
+  listed.simplices = IndexLists({{0, 0, 0}});
+  for (const std::vector<Point>& lattice : std::vector<std::vector<Point>>{
+           {{1, 0}}, {{1, 0}, {0, 1}, {1, 1}}, {{1, 0}, {0, 1, 0}}, {{1}, {0, 1}}}) {
+    const Periodic how{.lattice = lattice, .offsets = {{0, 0, 1, 0, 0, 1}}};
+    CHECK(
+        check::fault_of_periodic(listed, how).find("a lattice of 2 vectors that span the plane") !=
+        std::string::npos);
+  }
+}
+
+TEST_CASE("periodic-delaunay: flat cells are named, though they span nothing") {
+  Mesh listed;
+  listed.coordinates = numbers_of({{0, 0}}, 2);
+  listed.simplices = IndexLists({{0, 0, 0}});
+  const Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 2, 0}}};
+  const Mesh mesh = check::unfolded(listed, how);
+  CHECK(exact(mesh).points.dimension() == 2);
+  for (const auto by : {check::By::kLemma, check::By::kDefinition}) {
+    CHECK(check::judge_periodic(mesh, {.by = by}).tallies().contains(Rule::kDegenerateSimplex));
   }
 }
 

@@ -292,6 +292,21 @@ TEST_CASE("PLC validity about two squares agrees with pairwise intersections") {
   CHECK(occurs(crossing, 51));
 }
 
+TEST_CASE("PLC validity: segments cover what two polygons have in common, without a gap") {
+  for (unsigned listed = 0; listed < 8; ++listed) {
+    CAPTURE(listed);
+    PiecewiseLinearInput input;
+    input.points = {{0, 0, 1}, {5, 0, 1}, {5, 4, 1}, {0, 4, 1}, {1, 2, 1},
+                    {2, 2, 1}, {3, 2, 1}, {4, 2, 1}, {2, 2, 0}, {2, 2, 2}};
+    input.polygons = {{{{0, 1, 2, 3}}, {}}, {{{4, 8, 7, 9}}, {}}};
+    for (Vertex i = 0; i < 3; ++i) {
+      if ((listed >> i) % 2 == 1) input.segments.push_back({4 + i, 5 + i});
+    }
+    CHECK(validated(input).has_value() == (listed == 7));
+    CHECK(ByDefinition(input).is_complex() == (listed == 7));
+  }
+}
+
 // Anything: indices that name nothing, lines that go to and fro, seeds anywhere.
 TEST_CASE("PLC validity has an answer whatever is handed in") {
   CHECK(holds("garbage", 1000, [] {

@@ -94,7 +94,9 @@ Requirement drawn_requirement(Dice& dice, const Drawn& from) {
     return requirement;
   }
   requirement.bound = is_near ? found->value : Rational(dice.within(0L, 400L)) / 10;
-  if (is_near && dice.below(3) == 0) requirement.bound *= 1 + Rational(1) / (1L << 52);
+  if (is_near && dice.below(2) == 0) {
+    requirement.bound *= 1 + Rational(dice.within(-1L, 1L)) / (1L << (50 + dice.below(6)));
+  }
   return requirement;
 }
 

@@ -72,6 +72,13 @@ std::string text(const Verdict& verdict, const Mesh& mesh) {
          std::to_string(verdict.surface->edges_of_many);
 }
 
+// However few witnesses are kept.
+std::map<Rule, std::size_t> counts(const Verdict& verdict) {
+  std::map<Rule, std::size_t> counts;
+  for (const auto& [rule, tally] : verdict.tallies()) counts[rule] = tally.count;
+  return counts;
+}
+
 struct Outcomes {
   std::map<Rule, std::size_t> broken = {};
   std::size_t held = 0, with_edges_of_many = 0;
@@ -90,6 +97,7 @@ void compare(std::size_t d, int inputs, Outcomes& seen) {
     const Verdict of_arrays =
         check::judge(Claim::kSurfaceDelaunay, rows, nullptr, {.max_violations = 0}).value();
     RC_ASSERT(text(of_arrays, rows) == text(by_lemma, rows));
+    RC_ASSERT(counts(check::judge_surface(mesh, false, 1)) == counts(by_lemma));
     seen.held += by_lemma.holds() ? 1 : 0;
     seen.with_edges_of_many += by_lemma.surface->edges_of_many > 0 ? 1 : 0;
     for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];

@@ -282,7 +282,8 @@ bool may_have_pockets(const Domain& domain, Claim claim) {
          claim != Claim::kConformingDelaunay;
 }
 
-// A mesh in a plane of space, all of it dangling, with a point beside the plane.
+// A mesh in a plane of space, all of it dangling, with a point beside the plane, and beyond all of
+// the mesh along an axis: no point of the mesh is there.
 std::optional<certificate::FilledMesh> beside_its_plane(const ExactMesh& mesh) {
   if (mesh.points.ambient_dimension() != 3 || mesh.points.dimension() != 2) return std::nullopt;
   std::vector<Vertex> labels;
@@ -290,8 +291,10 @@ std::optional<certificate::FilledMesh> beside_its_plane(const ExactMesh& mesh) {
   labels.push_back(0);  // the point is nobody's
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<Point> points = mesh.points.points();
-    points.push_back(points.front());
-    points.back()[axis] += 1;
+    Point beyond = points.front();
+    for (const Point& point : points) beyond[axis] = std::max(beyond[axis], point[axis]);
+    beyond[axis] += 1;
+    points.push_back(std::move(beyond));
     certificate::FilledMesh filled{mesh, {}, 1};
     filled.mesh.points = PointSet(std::move(points));
     filled.mesh.labels = labels;

@@ -68,6 +68,8 @@ def others():
                  [*TRIANGULATION[1:], ("plc-triangulation", "domain.steiner-forbidden")], centre)
     yield accept("one-triangle-in-space", "a surface and no volume: triangles alone", [(0, 0, 0), (3, 0, 0), (0, 3, 0)],
                  facets([(0, 1, 2)]), [], DELAUNAY, listed=[(0, 1, 2)], kind="enclosed")
+    yield accept("unit-triangle-in-space", "the same, where a vertex is one beside the first: it is not another point of a certificate",
+                 [(0, 0, 0), (1, 0, 0), (0, 1, 0)], facets([(0, 1, 2)]), [], [("cdt", HOLD)], listed=[(0, 1, 2)], kind="enclosed")
 
 
 def plane():

@@ -130,7 +130,45 @@ TEST_CASE("even-odd: two rooms with a wall between them are both entered by one 
   CHECK(nesting_levels(Regions(*complex)).wall_of_no_parity);
   const auto nested = validated(three_boxes(false));
   REQUIRE(nested);
-  CHECK(!nesting_levels(Regions(*nested)).wall_of_no_parity);
+  NestingLevels levels = nesting_levels(Regions(*nested));
+  CHECK(!levels.wall_of_no_parity);
+  std::sort(levels.of_region.begin(), levels.of_region.end());
+  CHECK(levels.of_region == std::vector<std::size_t>{0, 1, 2, 3});
+}
+
+TEST_CASE("levels: however vertices are numbered, the next wall outwards leads one level down") {
+  const std::vector<Point> points = {{0, 0}, {8, 0}, {0, 8}, {2, 2}};
+  const std::vector<Simplex> triangle_in_three = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+  const std::vector<Simplex> notch_in_two = {{0, 1}, {1, 3}, {2, 3}, {0, 2}, {0, 3}};
+  for (const auto& segments : {triangle_in_three, notch_in_two}) {
+    Simplex number = {0, 1, 2, 3};
+    do {
+      PiecewiseLinearInput input{.points = std::vector<Point>(4)};
+      for (std::size_t v = 0; v < 4; ++v) {
+        input.points[static_cast<std::size_t>(number[v])] = points[v];
+      }
+      for (Simplex segment : segments) {
+        for (Vertex& v : segment) v = number[static_cast<std::size_t>(v)];
+        input.segments.push_back(segment);
+      }
+      const auto complex = validated(input);
+      REQUIRE(complex);
+      const Regions regions(*complex);
+      const NestingLevels levels = nesting_levels(regions);
+      std::vector<bool> leads_down(regions.size(), false);
+      leads_down[Regions::kUnbounded] = true;
+      for (std::size_t wall = 0; wall < regions.walls().size(); ++wall) {
+        auto [low, high] = regions.beside(wall);
+        if (levels.of_region[low] > levels.of_region[high]) std::swap(low, high);
+        CHECK(levels.of_region[high] <= levels.of_region[low] + 1);
+        if (levels.of_region[high] == levels.of_region[low] + 1) leads_down[high] = true;
+      }
+      CHECK(leads_down == std::vector<bool>(regions.size(), true));
+      REQUIRE(levels.wall_of_no_parity);
+      const auto [front, back] = regions.beside(*levels.wall_of_no_parity);
+      CHECK((front != back && levels.of_region[front] == levels.of_region[back]));
+    } while (std::next_permutation(number.begin(), number.end()));
+  }
 }
 
 TEST_CASE("in the plane: a square in a square") {

@@ -1,6 +1,7 @@
 // What the rings of faces leave empty.
 #include "oracle/domain/uncovered.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -90,6 +91,25 @@ TEST_CASE("rings: faces do not empty one another") {
   // A ring that is there twice encloses nothing.
   CHECK(squares.covered({{0, 0, 1}}) == "+++--");
   CHECK(squares.covered({}) == "-----");
+}
+
+TEST_CASE("faces: one line covers what it encloses, and nothing if it leads back along itself") {
+  const Squares squares;
+  const auto complex = validated(squares.input);
+  REQUIRE(complex);
+  const Regions regions(*complex);
+  const auto bare = [&](const Ring& line) {
+    return points_without_face({{{line}, {}}}, regions, complex->points).size();
+  };
+  CHECK(regions.size() == 6);
+  CHECK(bare({0, 1, 2, 1}) == 5);
+  CHECK(bare({1, 2, 1, 0}) == 5);
+  for (const std::size_t ring : {0, 1, 2, 3}) {
+    Ring line = squares.rings[ring];
+    CHECK(bare(line) == 1 + ring);
+    std::reverse(line.begin(), line.end());
+    CHECK(bare(line) == 1 + ring);
+  }
 }
 
 TEST_CASE("rings: those that are no holes of the first are found") {

@@ -42,6 +42,11 @@ TEST_CASE("curved: corners are judged, and points between them left out with the
   REQUIRE_MESSAGE(moved, error_of(moved));
   CHECK(moved->notes.front().ends_with(
       "judged by their corners; node 8 is farthest from the middle of its edge, ~ 0.25 off"));
+  // At a corner it is half an edge off.
+  const auto at_corner = read_mesh({.mesh = folder.write("z.vtk", curved_vtk("0 0 0"))});
+  REQUIRE_MESSAGE(at_corner, error_of(at_corner));
+  CHECK(at_corner->notes.front().ends_with(
+      "node 8 is farthest from the middle of its edge, ~ 0.5 off"));
 }
 
 TEST_CASE("curved: indices stay the user's, and a point that no element has stays, too") {

@@ -109,6 +109,32 @@ TEST_CASE(
   CHECK(merged.polygon_markers == std::vector<Vertex>{5, 6});
 }
 
+TEST_CASE("poly in space: a facet without a marker has none, whatever the one before it has") {
+  const auto file = poly(kFour + "2 1\n1 0 5\n3 1 2 3\n1\n3 1 2 4\n0\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->polygon_markers == std::vector<Vertex>{5, 0});
+}
+
+TEST_CASE(
+    "a domain each of whose parts has points of its own is the same one when they are merged") {
+  const std::string points = "9 2\n1 9 9\n2 0 0\n3 1 0\n4 1 0\n5 0 1\n6 0 1\n7 0 0\n8 0 0\n9 0 0\n";
+  const auto apart = poly(points + "4\n1 2 3\n2 4 5\n3 6 7\n4 8 9\n0\n");
+  REQUIRE_MESSAGE(apart, error_of(apart));
+  const DomainFile merged = with_duplicates_merged(*apart);
+  CHECK(merged.input.points == std::vector<Point>{{9, 9}, {0, 0}, {1, 0}, {0, 1}});
+  CHECK(merged.labels == std::vector<Vertex>{1, 2, 3, 5});
+  CHECK(merged.input.segments == std::vector<Line>{{1, 2}, {2, 3}, {3, 1}});
+  CHECK(merged.segment_lines == std::vector<std::size_t>{12, 13, 14});
+  const auto facets = poly(
+      "7 3\n1 9 9 9\n2 0 0 0\n3 1 0 0\n4 0 1 0\n5 1 0 0\n6 0 0 0\n7 0 0 1\n"
+      "2\n1\n3 2 3 4\n1\n3 5 6 7\n0\n");
+  REQUIRE_MESSAGE(facets, error_of(facets));
+  const DomainFile joined = with_duplicates_merged(*facets);
+  REQUIRE(joined.input.polygons.size() == 2);
+  CHECK(joined.input.polygons[0].lines == std::vector<Line>{{1, 2, 3}});
+  CHECK(joined.input.polygons[1].lines == std::vector<Line>{{2, 1, 4}});
+}
+
 TEST_CASE("poly: corners that repeat the one before, and facets of segments alone") {
   const auto repeats = poly(kFour + "2\n1\n5 1 2 2 3 1\n1\n2 4 4\n0\n");
   REQUIRE_MESSAGE(repeats, error_of(repeats));

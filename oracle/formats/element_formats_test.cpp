@@ -49,6 +49,10 @@ std::string difference(const WrittenForm& form, const WrittenMesh& mesh) {
     return form.name + ": other triangles";
   }
   if (from_zero(file->edges, first) != expected.edges.simplices) return form.name + ": other edges";
+  for (const SimplexFile* const list : {&file->edges, &file->triangles, &file->tetrahedra}) {
+    if (list->first_index != first) return form.name + ": simplices from another index";
+    if (list->vertices_per_simplex != list->simplices.columns()) return form.name + ": other sizes";
+  }
   return "";
 }
 
@@ -292,6 +296,11 @@ TEST_CASE("gmsh 2: what is refused") {
           "f:13: expected edges, triangles and tetrahedra, found an element of Gmsh's type " +
               type);
   }
+  std::string binary = gmsh_2(kTwoTetrahedra, ByteOrder::kLittleEndian);
+  binary.replace(binary.find("$Elements\n5") + 10, 1, "1");
+  const std::size_t block = binary.find("$Elements\n") + 12 + 4;
+  CHECK(error_of(gmsh(binary.replace(block, 4, std::string("\2\0\0\0", 4))))
+            .find("expected 1 elements, found 2 in blocks at byte ") != std::string::npos);
   CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n", 2))) ==
         "f:14: expected element 2 of 2, an integer, found \"$EndElements\"");
   CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n2 1 2 0 1 1 2\n"))) ==
@@ -318,6 +327,11 @@ TEST_CASE("gmsh 4.1: what is refused") {
   CHECK(error_of(
             gmsh(kHeader4 + kNodes4 + "$Elements\n1 3 1 3\n3 1 4 1\n1 1 2 3 4\n$EndElements\n")) ==
         "f:19: expected 3 elements in all blocks, found 1");
+  const std::string whole = gmsh_4(kTwoTetrahedra, ByteOrder::kLittleEndian);
+  const std::size_t bounds = whole.find("$Entities\n") + 10 + 32 + 4;
+  CHECK(error_of(gmsh(whole.substr(0, bounds + 23))) ==
+        "f:9: expected a bound of an entity, found the end of the data at byte " +
+            std::to_string(bounds) + ", in $Entities");
   // In binary files, too, a count cannot be trusted.
   std::string binary = gmsh_4({{{0, 0, 0}}, {}}, ByteOrder::kLittleEndian);
   const std::size_t count = binary.rfind("$Nodes") + 7 + 32 + 12 + 32;

@@ -24,9 +24,9 @@ const std::string kSu2 =
     "NDIME= 3\n"
     "NELEM= 2\n"
     "10 0 1 2 3 0\n"
-    "10 1 2 3 4\n"
+    "10 1 2 3 4 1\n"
     "NPOIN= 5\n"
-    "0 0 0 0\n1 0 0 1\n0 1 0 2\n0 0 0.1 3\n1 1 1\n"
+    "0 0 0 0\n1 0 0 1\n0 1 0 2\n0 0 0.1 3\n1 1 1 4\n"
     "NMARK= 1\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n5 0 1 2\n";
 
 const std::string kAbaqus =
@@ -82,6 +82,9 @@ TEST_CASE("su2: zones are one mesh, each with indices of its own") {
   CHECK(file->triangles.labels == std::vector<Vertex>{1, 2});
   CHECK(file->edges.simplices == std::vector<Simplex>{{0, 1}});
   CHECK(file->notes.size() == 1);
+  const auto one = read_su2(named("NZONE= 1\nIZONE= 1\n" + zone), kDouble);
+  REQUIRE_MESSAGE(one, error_of(one));
+  CHECK(one->notes.empty());
 }
 
 TEST_CASE("su2: faults and their lines") {
@@ -105,6 +108,12 @@ TEST_CASE("su2: faults and their lines") {
   CHECK(su2_error("NELEM= 1\n10 0 1 2\n") ==
         "f:2: expected type 10, 4 vertices and perhaps an index, found 4 columns");
   CHECK(su2_error("NELEM= 1\n") == "f:1: expected element 1 of 1, found the end of the file");
+  // An index and one vertex too few look like all vertices and no index.
+  CHECK(su2_error("NELEM= 2\n5 0 1 2 0\n5 0 1 2\n") ==
+        "f:3: expected 5 columns of an element of type 5, by those of the first in its list, found "
+        "4");
+  CHECK(su2_error("NDIME= 2\nNPOIN= 2\n0 0\n1 0 0\n") ==
+        "f:4: expected 2 columns of point 2 of 2, by those of the first in its list, found 3");
   CHECK(su2_error("NZONE= 0\n") == "f:1: expected 1 zone or more, found 0");
   CHECK(su2_error("NZONE= 2\nIZONE= 2\n") == "f:2: expected zone 1 of 2, found \"2\"");
   CHECK(su2_error("NZONE= 1\nIZONE= 1\nIZONE= 2\n") == "f:3: expected zone 2 of 1, found \"2\"");

@@ -184,6 +184,22 @@ TEST_CASE("exodus: faults, and a file that ends too early") {
   file.variables.back().numbers.clear();
   CHECK(exodus_error(file).starts_with(
       "f: expected the numbers of \"connect2\", found the end of the file at byte "));
+  file = {{3}, {{"coord", {0}, "", 6, doubles({0, 1, 0})}}};
+  CHECK(exodus_error(file) == "f: expected two dimensions of \"coord\", found another number");
+  file = tetrahedron_and_triangle();
+  file.variables[4].elem_type = "NURBS";
+  CHECK(exodus_error(file) ==
+        "f: expected a type of the elements of \"connect1\" that is known, as \"TETRA4\", found "
+        "\"NURBS\" of 4 nodes");
+  CHECK(error_of(read_exodus(named("CDF\1"), kDouble)) ==
+        "f: expected the number of records, found none at byte 4");
+  // So many values of an attribute that their bytes are none, if more than 64 bits are cut off.
+  std::string many = tetrahedron_and_triangle().written(5);
+  const std::size_t title = many.find("title") + 8;
+  many.replace(title, 12, stored(6, 4, kBig) + stored(std::uint64_t{1} << 61, 8, kBig));
+  many.erase(title + 12, 8);  // "by hand"
+  CHECK(error_of(read_exodus(named(many), kDouble)).find("bytes of an attribute, found the end") !=
+        std::string::npos);
   // Wherever it is cut off, the file is refused.
   const std::string whole = tetrahedron_and_triangle().written(1);
   for (std::size_t size = 0; size < whole.size(); ++size) {

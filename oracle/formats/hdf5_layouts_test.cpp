@@ -35,6 +35,7 @@ struct Layout {
   std::size_t bytes_left_out = 0;      // of contiguous data
   std::size_t chunks_left_out = 0;     // the last ones
   std::size_t second_chunk_up_by = 0;  // rows, so that it covers some of the first again
+  bool has_last_chunk_twice = false;
 };
 
 std::string little(std::uint64_t value, std::size_t size) {
@@ -68,7 +69,7 @@ class Hdf5Writer {
   Hdf5Writer(const std::vector<Vertex>& values, const StoredInteger& type, const Layout& layout)
       : values_(values), type_(type), layout_(layout) {}
 
-  // The data set /x.
+  // The data set /x, behind a link to another object and a soft link that has its name.
   std::string file() {
     constexpr std::size_t kSuperblock = 48;
     const std::size_t data_at = kSuperblock + set(0).size() + root(0).size();
@@ -100,8 +101,11 @@ class Hdf5Writer {
   }
 
   std::string root(std::size_t set_at) const {
-    return header(
-        message(0x06, little(1, 1) + little(0, 1) + little(1, 1) + "x" + little(set_at, 8)));
+    return header(message(0x06, little(1, 1) + little(0, 1) + little(1, 1) + "y" + little(0, 8)) +
+                  message(0x06, little(1, 1) + little(8, 1) + little(1, 1) + little(1, 1) + "x" +
+                                    little(8, 2) + "/nowhere") +
+                  message(0x06, little(1, 1) + little(8, 1) + little(0, 1) + little(1, 1) + "x" +
+                                    little(set_at, 8)));
   }
 
   std::string set(std::size_t at) const {
@@ -150,6 +154,9 @@ class Hdf5Writer {
     const std::size_t columns = (kColumns + layout_.chunk[1] - 1) / layout_.chunk[1];
     for (std::size_t i = 0; i < rows * columns - layout_.chunks_left_out; ++i) {
       add({i / columns * layout_.chunk[0], i % columns * layout_.chunk[1]});
+    }
+    if (layout_.has_last_chunk_twice) {
+      add({(rows - 1) * layout_.chunk[0], (columns - 1) * layout_.chunk[1]});
     }
     tree_or_data_ = place + chunks.size();
     return chunks + "TREE" + little(1, 1) + little(0, 1) + little(count, 2) +
@@ -234,6 +241,68 @@ TEST_CASE("hdf5: numbers that are not there are missed") {
             .find("one outside of it") != std::string::npos);
   CHECK(said({.kind = Layout::kContiguous, .bytes_left_out = 1}).find("60 bytes of the data set") !=
         std::string::npos);
+  CHECK(said({.kind = Layout::kChunked, .chunk = {2, 2}, .has_last_chunk_twice = true}) ==
+        "f: expected chunks for 60 bytes of the data set \"/x\", found more");
+  // Where bytes of the header are changed.
+  const auto said_with = [&](const Layout& layout, const std::string& bytes,
+                             const std::string& others) {
+    std::string text = Hdf5Writer(values, type, layout).file();
+    const std::size_t place = text.find(bytes);
+    REQUIRE(place != std::string::npos);
+    return error_of(read_hdf5(named(text.replace(place, bytes.size(), others)), "/x"));
+  };
+  const Layout chunked = {.kind = Layout::kChunked, .chunk = {3, 1}};
+  const std::string sizes = little(3, 4) + little(1, 4) + little(4, 4);
+  for (const std::string& others :
+       {little(0, 4) + little(1, 4) + little(4, 4), little(3, 4) + little(0, 4) + little(4, 4),
+        little(3, 4) + little(1, 4) + little(8, 4)}) {
+    CHECK(said_with(chunked, sizes, others) ==
+          "f: expected sizes of chunks of the data set \"/x\", found others than the numbers have");
+  }
+  const std::string lengths = little(kRows, 8) + little(kColumns, 8);
+  CHECK(said_with({}, lengths, little(1'000'000, 8) + little(kColumns, 8)) ==
+        "f: expected at most 1000000 bytes of the data set \"/x\", found more");
+  const std::string whole = Hdf5Writer(values, type, {}).file();
+  CHECK(error_of(read_hdf5(named(whole), "/z")) ==
+        "f: expected a data set \"/z\", found no \"z\" in it");
+  const std::string address = little(whole.size() - 60, 8) + little(60, 8);
+  CHECK(said_with({}, address, std::string(8, '\xff') + little(60, 8)) ==
+        "f: expected data of the data set \"/x\", found none that were written");
+}
+
+TEST_CASE("hdf5: the header of an object may go on elsewhere, behind a signature") {
+  const auto part = [](unsigned type, const std::string& data) {
+    return little(type, 1) + little(data.size(), 2) + little(0, 1) + data;
+  };
+  const std::string numbers = little(5, 4) + little(6, 4), checksum = little(0, 4);
+  const std::string rest =
+      "OCHK" + part(0x08, little(3, 1) + little(0, 1) + little(8, 2) + numbers) + checksum;
+  const auto file = [&](const std::string& behind, std::size_t length) {
+    constexpr std::size_t kSuperblock = 48;
+    const auto set_with = [&](std::size_t at) {
+      const std::string parts =
+          part(0x03, number_type({})) +
+          part(0x01, little(2, 1) + little(1, 1) + little(0, 2) + little(2, 8)) +
+          part(0x10, little(at, 8) + little(length, 8));
+      return "OHDR" + little(2, 1) + little(0, 1) + little(parts.size(), 1) + parts + checksum;
+    };
+    const std::string root = header(
+        message(0x06, little(1, 1) + little(0, 1) + little(1, 1) + "x" + little(kSuperblock, 8)));
+    const std::size_t root_at = kSuperblock + set_with(0).size();
+    const std::size_t rest_at = root_at + root.size();
+    return "\x89HDF\r\n\x1a\n" + little(2, 1) + little(8, 1) + little(8, 1) + little(0, 1) +
+           little(0, 8) + little(~std::uint64_t{0}, 8) + little(rest_at + behind.size(), 8) +
+           little(root_at, 8) + little(0, 4) + set_with(rest_at) + root + behind;
+  };
+  const auto read = [](const std::string& text) { return read_hdf5(named(text), "/x"); };
+  const std::string whole = file(rest, rest.size());
+  const Source source = named(whole);
+  const auto array = read_hdf5(source, "/x");
+  REQUIRE_MESSAGE(array, error_of(array));
+  CHECK(array->bytes == numbers);
+  CHECK(error_of(read(file("OHDR" + rest.substr(4), rest.size())))
+            .find("expected where a header goes on") != std::string::npos);
+  CHECK(error_of(read(file(rest, 7))).find("expected where a header goes on") != std::string::npos);
 }
 
 TEST_CASE("xdmf: bytes beside it are the same numbers in every type and byte order") {

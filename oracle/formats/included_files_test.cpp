@@ -150,6 +150,21 @@ TEST_CASE("included files: what is missing, ambiguous or endless is said where i
                                    "\" (rename one: programs differ in which of them they take)");
 }
 
+TEST_CASE("included files: what a domain has of several files has no line in one of them") {
+  const Decks decks;
+  decks.write("grids.inc", kGrids + "GRID,4,,0.,0.,1.\n");
+  const std::string cells = "CTRIA3,1,1,1,2,4\nCROD,2,1,2,3\n";
+  const auto lines = [&](const std::string& text) {
+    const auto domain = format_of(".bdf")->read_domain({decks.path("deck.bdf"), text}, kDouble);
+    REQUIRE_MESSAGE(domain, error_of(domain));
+    REQUIRE(domain->polygon_lines.size() == 1);
+    REQUIRE(domain->segment_lines.size() == 1);
+    return std::vector<std::size_t>{domain->polygon_lines[0], domain->segment_lines[0]};
+  };
+  CHECK(lines("INCLUDE 'grids.inc'\n" + cells) == std::vector<std::size_t>{0, 0});
+  CHECK(lines(kGrids + "GRID,4,,0.,0.,1.\n" + cells) == std::vector<std::size_t>{5, 6});
+}
+
 TEST_CASE("included files: there is a limit to how many, and to how deep they are") {
   const Decks decks;
   for (int i = 0; i < 30; ++i) {

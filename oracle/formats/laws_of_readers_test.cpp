@@ -1,11 +1,15 @@
 // Laws of the readers of elements: a count that is wrong by one is noticed, in either direction,
 // and an integer means the same number whatever type stores it.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
+#include <variant>
 
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
@@ -212,6 +216,122 @@ TEST_CASE("a byte order mark, carriage returns and the end of the last line chan
     ++texts;
   }
   CHECK(texts >= 8);
+}
+
+TEST_CASE("a decimal in text is what the reading says, and a double in binary is itself") {
+  WrittenMesh mesh = mesh_of_telling_counts();
+  mesh.points[2][1] = 0.1;
+  const std::string digits = digits_of(0.1);
+  std::size_t decimals = 0;
+  for (WrittenForm form : all_forms(mesh)) {
+    CAPTURE(form.name);
+    std::size_t place = form.text.find(digits);
+    const bool is_text = place != std::string::npos;
+    // As it is written by hand; a field of fixed columns stays as long as it is.
+    if (is_text) form.text.replace(place, digits.size(), in_columns("0.1", digits.size()));
+    const auto rounded = read_form(form, kDouble);
+    const auto exact = read_form(form, NumberReading::kDecimal);
+    REQUIRE_MESSAGE(rounded, error_of(rounded));
+    REQUIRE_MESSAGE(exact, error_of(exact));
+    CHECK(rounded->points.points.at(2, 1) == exact_value(0.1));
+    const bool is_ours = form.name.find("ours") != std::string::npos || form.name == "medit";
+    if (is_ours) continue;
+    CHECK(exact->points.points.at(2, 1) == (is_text ? Rational(1, 10) : exact_value(0.1)));
+    decimals += is_text ? 1 : 0;
+  }
+  CHECK(decimals > 10);
+}
+
+TEST_CASE("a zero is the same zero in every form, whatever its sign") {
+  WrittenMesh mesh = mesh_of_telling_counts();
+  mesh.points[2] = {-0.0, -0.0, -0.0};
+  for (const WrittenForm& form : all_forms(mesh)) {
+    CAPTURE(form.name);
+    auto file = read_form(form, kDouble);
+    REQUIRE_MESSAGE(file, error_of(file));
+    const Numbers numbers = std::move(file->points.points).as_numbers(3);
+    const auto row = std::get<Rows<double>>(numbers).row(2);
+    CHECK(std::none_of(row.begin(), row.end(), [](double x) { return std::signbit(x); }));
+  }
+}
+
+TEST_CASE("an element has the line on which its vertices begin; in binary it has none") {
+  const WrittenMesh mesh = mesh_of_telling_counts();
+  for (const WrittenForm& form : all_forms(mesh)) {
+    CAPTURE(form.name);
+    const auto file = read_form(form, kDouble);
+    REQUIRE_MESSAGE(file, error_of(file));
+    std::vector<std::string> lines = {""};
+    for (const char c : form.text) {
+      if (c == '\n') lines.emplace_back();
+      if (c != '\n') lines.back() += c == ',' ? ' ' : c;
+    }
+    const bool is_binary = form.name.find("endian") != std::string::npos ||
+                           form.extension == ".meshb" || form.name.ends_with("binary");
+    if (!is_binary && (form.extension == ".vtu" || form.extension == ".vtk")) continue;
+    const SimplexFile& list = file->tetrahedra;
+    for (std::size_t i = 0; i < list.simplices.size(); ++i) {
+      const std::size_t line = list.lines[i];
+      CHECK((line == 0) == is_binary);
+      if (line == 0 || line >= lines.size()) continue;
+      const std::string text = " " + lines[line - 1] + " " + lines[line] + " ";
+      for (const Vertex v : list.simplices[i]) {
+        CHECK(text.find(" " + std::to_string(v) + " ") != std::string::npos);
+      }
+    }
+  }
+}
+
+TEST_CASE("elements belong to the first group that a file of Gmsh names for them") {
+  for (const WrittenForm& form : all_forms(mesh_of_telling_counts())) {
+    if (!form.name.starts_with("gmsh") || form.name.ends_with("ours")) continue;
+    CAPTURE(form.name);
+    const auto file = read_form(form, kDouble);
+    REQUIRE_MESSAGE(file, error_of(file));
+    for (const SimplexFile* const list : {&file->edges, &file->triangles, &file->tetrahedra}) {
+      CHECK(list->labels == std::vector<Vertex>(list->simplices.size(), 7));
+    }
+  }
+}
+
+TEST_CASE("the content of a file tells its format, in every form that does not need its name") {
+  for (const WrittenForm& form : all_forms(mesh_of_telling_counts())) {
+    CAPTURE(form.name);
+    if (form.name == "ucd") continue;
+    const bool has_comment = form.text.starts_with('%');
+    const std::string text = form.text.substr(has_comment ? form.text.find('\n') + 1 : 0);
+    const Format* const format = told_format(named(text), &Format::has_mesh);
+    REQUIRE(format != nullptr);
+    CHECK(format->endings.front() == form.extension);
+  }
+}
+
+TEST_CASE("a mesh that is written is read back, in the plane and in space") {
+  for (const std::size_t dimension : {2U, 3U}) {
+    ElementFile mesh;
+    mesh.points.dimension = dimension;
+    mesh.points.points.set_columns(dimension);
+    for (const double x : {0.5, 0.0, 1.0, 7.0, 2.0, 1.0, 3.0, 0.25, 5.0}) {
+      if (dimension == 3 || x < 5.0) mesh.points.points.add(x);
+    }
+    add_element(mesh, ElementShape::kPolygon, Simplex{0, 1, 2}, "a triangle", 0);
+    finish_elements(mesh);
+    for (const std::string_view ending : written_endings()) {
+      CAPTURE(ending);
+      std::ostringstream out;
+      writer_of(ending)(out, mesh);
+      const auto read = format_of(ending)->elements(named(out.str()), kDouble);
+      REQUIRE_MESSAGE(read, error_of(read));
+      CHECK(read->triangles.simplices.size() == 1);
+      CHECK(out.str().find("Tetrahedra") == std::string::npos);  // no list of none
+      for (std::size_t i = 0; i < mesh.points.points.size(); ++i) {
+        for (std::size_t axis = 0; axis < read->points.points.columns(); ++axis) {
+          const Rational expected = axis < dimension ? mesh.points.points.at(i, axis) : Rational(0);
+          CHECK(read->points.points.at(i, axis) == expected);
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("an integer is the same number in every type that can store it") {

@@ -88,6 +88,7 @@ TEST_CASE("mfem: coordinates of vertices, attributes, boundary") {
           std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, exact_value(0.1)}});
     CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
     CHECK(file->tetrahedra.labels == std::vector<Vertex>{7});
+    CHECK(file->tetrahedra.vertices_per_simplex == 4);
     CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
     CHECK(file->notes.empty());
   }
@@ -231,6 +232,25 @@ TEST_CASE("dolfin: vertices and cells, exactly; told by its content among other 
   CHECK(refused->first_other->name == "a quadrilateral");
 }
 
+TEST_CASE("dolfin: cells may come before vertices, and intervals have one dimension") {
+  const std::string cells = "<cells " + kDolfinCells + "</cells>\n";
+  std::string text = dolfin_mesh(kDolfinVertices, "size=\"0\">");
+  text.erase(text.find("<cells"), text.find("</mesh>") - text.find("<cells"));
+  text.insert(text.find("<vertices"), cells);
+  const auto file = read_dolfin(named(text), kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(file->triangles.lines == std::vector<std::size_t>{5});
+  const auto line = read_dolfin(
+      named(dolfin_mesh("size=\"2\"><vertex index=\"0\" x=\"0\"/><vertex index=\"1\" x=\"3\"/>",
+                        "size=\"1\"><interval index=\"0\" v0=\"0\" v1=\"1\"/>",
+                        "celltype=\"interval\" dim=\"1\"")),
+      kDouble);
+  REQUIRE_MESSAGE(line, error_of(line));
+  CHECK(line->points.points == std::vector<Point>{{0}, {3}});
+  CHECK(line->edges.simplices == std::vector<Simplex>{{0, 1}});
+}
+
 TEST_CASE("dolfin: faults and their lines") {
   const auto error = [](const std::string& text) {
     return error_of(read_dolfin(named(text), kDouble));
@@ -259,6 +279,8 @@ TEST_CASE("dolfin: faults and their lines") {
         "f:5: expected the index 0, in ascending order, found 1");
   CHECK(vertices("size=\"1\">\n<vertex index=\"0\" x=\"0\"/>") ==
         "f:5: expected y=\"NUMBER\", found none");
+  CHECK(cells("size=\"2\">\n<triangle index=\"0\" v0=\"0\" v1=\"1\" v2=\"2\"/>\n") ==
+        "f:9: expected 2 elements triangle, found 1");
   CHECK(cells("size=\"1\"><triangle index=\"0\" v0=\"0\" v1=\"-1\"/>") ==
         "f:9: expected v1=\"N\", a whole number, found \"-1\"");
 }

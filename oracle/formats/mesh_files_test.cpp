@@ -102,6 +102,11 @@ TEST_CASE("points of another file and another base") {
     CHECK(rows_of(listed->mesh.weights) == (points == json ? 4 : 0));
   }
   CHECK(!weighted(json, qhull, Weights::kListed)->mesh.is_weighted());
+  // Points that the caller has are taken, whatever the mesh's own file has.
+  const PointFile others{2, {{0, 0}, {5, 0}, {5, 5}, {0, 5}}};
+  const auto own = read_mesh({.mesh = json, .own_points = others});
+  REQUIRE_MESSAGE(own, error_of(own));
+  CHECK(own->mesh.exact_points() == others.points.points());
 }
 
 TEST_CASE("weights are listed as such, or where they are demanded the first attributes") {
@@ -207,6 +212,9 @@ TEST_CASE("files without a telling name are known by what they hold") {
   CHECK(read_points(folder.write("l.txt", "0 0\n3 0\n0 3\n2 2\n"), reading)->points.points.size() ==
         4);
   CHECK(read_points(folder.write("l.dat", "1 2 3 4\n5 6 7 8\n"), reading)->points.dimension == 4);
+  // A header has four numbers at most, of which the last three announce columns.
+  CHECK(read_points(folder.write("l.dat", "7 1 1 1 1\n0 0 0 0 0\n"), reading)->points.dimension ==
+        5);
   CHECK(
       read_points(folder.write("l", "2 3 0 0\n7 1 2 3\n8 1 2 4\n"), reading)->points.first_index ==
       7);

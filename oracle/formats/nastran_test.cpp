@@ -117,6 +117,9 @@ TEST_CASE("nastran: faults and their lines") {
         "f:2: expected a node of an element, an integer of 64 bits, found \"1.5\"");
   CHECK(nastran_error(grid + "GRID,3\nCTRIA6,1,1,1,1,3,-5\n") ==
         "f:3: expected the tag of a node of a GRID, found -5");
+  CHECK(nastran_error("CORD2R,7,x,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n" + grid) ==
+        "f:1: expected the system of coordinates that this one is given in, an integer of 64 bits, "
+        "found \"x\"");
   CHECK(nastran_error(grid + grid + "CBAR,1,1,1,1\n") ==
         "f: expected a tag of its own for each node, found tag 1 twice");
 }

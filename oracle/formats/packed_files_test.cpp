@@ -140,6 +140,9 @@ TEST_CASE("lz4: blocks that do not give what is wanted") {
     return !unpack_lz4(block, text);
   };
   using namespace std::string_literals;
+  const std::string whole = "\x22"s + "ab\2\0\xf0\1"s + "cdefghijklmnopqr";
+  CHECK(!is_refused(whole, 24));
+  for (std::size_t end = 0; end < whole.size(); ++end) CHECK(is_refused(whole.substr(0, end), 24));
   CHECK(is_refused("", 0));
   CHECK(
       is_refused("\x30"

@@ -7,6 +7,7 @@
 #include "oracle/formats/lzma.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/written_elements_test.hpp"
 
 #ifdef CIRCUMSPECT_ZSTD
 #include <zstd.h>
@@ -109,6 +110,33 @@ TEST_CASE("lzma: a block gives exactly the bytes for which there is room, or not
   for (std::size_t end = 0; end < packed.size(); ++end) {
     CHECK(unpacked(packed.substr(0, end), text.size()) == "a fault");
   }
+}
+
+TEST_CASE("lzma: arrays of VTK are packed by it") {
+  std::string numbers;
+  for (const double x : {0.5, 0.25, 0.125}) {
+    numbers += stored(std::bit_cast<std::uint64_t>(x), 8, ByteOrder::kLittleEndian);
+  }
+  std::string packed(1000, '\0'), head;
+  std::size_t size = 0;
+  REQUIRE(lzma_easy_buffer_encode(0, LZMA_CHECK_CRC32, nullptr,
+                                  reinterpret_cast<const std::uint8_t*>(numbers.data()),
+                                  numbers.size(), reinterpret_cast<std::uint8_t*>(packed.data()),
+                                  &size, packed.size()) == LZMA_OK);
+  packed.resize(size);
+  for (const std::size_t number : {std::size_t{1}, numbers.size(), std::size_t{0}, size}) {
+    head += stored(number, 4, ByteOrder::kLittleEndian);
+  }
+  const auto file = read_vtu(
+      named("<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZMADataCompressor\">"
+            "<UnstructuredGrid><Piece NumberOfPoints=\"1\" NumberOfCells=\"0\"><Points><DataArray "
+            "type=\"Float64\" NumberOfComponents=\"3\" format=\"binary\">" +
+            base64(head) + base64(packed) +
+            "</DataArray></Points></Piece></UnstructuredGrid></VTKFile>"),
+      kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points ==
+        std::vector<Point>{{Rational(1, 2), Rational(1, 4), Rational(1, 8)}});
 }
 
 #else

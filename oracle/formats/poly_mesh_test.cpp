@@ -271,6 +271,8 @@ TEST_CASE("openfoam: cells that are not tetrahedra are named") {
 TEST_CASE("openfoam: faults, with file and line") {
   CHECK(foam_error_with(&FoamFiles::points, "") ==
         "points:1: expected FoamFile, found the end of the file");
+  CHECK(foam_error_with(&FoamFiles::points, "FoamFile {") ==
+        "points:1: expected \"}\" behind the header, found the end of the file");
   CHECK(foam_error_with(&FoamFiles::points, "FoamFile { format ascii") ==
         "points:1: expected \";\" behind a value of the header, found the end of the file");
   CHECK(foam_error_with(&FoamFiles::points, foam_header("vectorField", "xml")) ==
@@ -288,6 +290,11 @@ TEST_CASE("openfoam: faults, with file and line") {
         "faces:14: expected a vertex of face 1 of 1, an integer, found \")\"");
   CHECK(foam_error_with(&FoamFiles::faces, foam_header("faceCompactList") + "2(0 4)\n3(0 1 2)\n") ==
         "faces:13: expected places of faces that go up to 3, found 0, then 4");
+  CHECK(
+      foam_error_with(&FoamFiles::faces, foam_header("faceCompactList") + "2(-1 2)\n3(0 1 2)\n") ==
+      "faces:13: expected places of faces that go up to 3, found -1, then 2");
+  CHECK(foam_error_with(&FoamFiles::faces, foam_header("faceCompactList") + "2(3 0)\n3(0 1 2)\n") ==
+        "faces:13: expected places of faces that go up to 3, found 3, then 0");
   CHECK(foam_error_with(&FoamFiles::faces, foam_header("faceList", "binary") + "1\n(") ==
         "faces:9: expected faces of the class faceCompactList in a binary file, found others");
   CHECK(foam_error_with(&FoamFiles::owner, foam_header("labelList") + "6(0 0 0 0 1 1)") ==

@@ -90,6 +90,16 @@ TEST_CASE("rings: lines and points, in collections, with heights and measures") 
   CHECK(json->faces.empty());
 }
 
+TEST_CASE("rings: a collection has all of its features") {
+  const std::string feature =
+      "{\"type\": \"Feature\", \"geometry\": {\"type\": \"Point\", \"coordinates\": ";
+  const auto json = read_geojson(named("{\"type\": \"FeatureCollection\", \"features\": [" +
+                                       feature + "[0, 1]}}, " + feature + "[2, 3]}}]}"),
+                                 kDouble);
+  REQUIRE_MESSAGE(json, error_of(json));
+  CHECK(json->input.points == std::vector<Point>{{0, 1}, {2, 3}});
+}
+
 TEST_CASE("rings: polygons in space have one ring") {
   const auto tin = read_wkt(
       named("TIN Z (((0 0 0, 1 0 0, 0 1 1, 0 0 0)), ((1 0 0, 1 1 2, 0 1 1, 1 0 0)))"), kDouble);

@@ -37,6 +37,9 @@ class Su2Reader {
   Status expect_whole_zone() const;
   Status read_dimension();
   Status read_points();
+  // All lines of a list have as many columns behind what they must have: else one of them lacks a
+  // number, or has one too many, and its index would be taken for it.
+  Status expect_as_many_behind(std::size_t columns, const std::string& which);
   Status read_elements(const std::string& noun);
   Status read_element(const std::string& noun);
 
@@ -51,6 +54,7 @@ class Su2Reader {
   bool has_dimension_ = false;
   bool has_points_ = false;
   bool has_elements_ = false;
+  std::optional<std::size_t> behind_;  // so many columns, in the list that is read
   Simplex vertices_;
   ElementFile file_;
 };
@@ -90,6 +94,15 @@ Status Su2Reader::read_dimension() {
   return {};
 }
 
+Status Su2Reader::expect_as_many_behind(std::size_t columns, const std::string& which) {
+  const std::size_t behind = lines_.size() - columns;
+  if (!behind_) behind_ = behind;
+  if (behind == *behind_) return {};
+  return lines_.fail(std::to_string(columns + *behind_) + " columns" + which +
+                         ", by those of the first in its list",
+                     std::to_string(lines_.size()));
+}
+
 Status Su2Reader::read_points() {
   const std::size_t dimension = file_.points.dimension;
   if (!has_dimension_) return lines_.fail("NDIME before NPOIN", "NPOIN");
@@ -97,6 +110,7 @@ Status Su2Reader::read_points() {
   has_points_ = true;
   const Result<std::size_t> points = count("the number of points");
   if (!points) return tl::unexpected(points.error());
+  behind_.reset();
   for (std::size_t i = 0; i < *points; ++i) {
     const std::string which =
         " of point " + std::to_string(i + 1) + " of " + std::to_string(*points);
@@ -106,6 +120,7 @@ Status Su2Reader::read_points() {
       return lines_.fail(std::to_string(dimension) + " coordinates and perhaps the index" + which,
                          std::to_string(lines_.size()) + " columns");
     }
+    if (Status as = expect_as_many_behind(dimension, which); !as) return as;
     Status read = lines_.add_numbers(0, dimension, reading_, file_.points.points);
     for (std::size_t column = dimension; read && column < lines_.size(); ++column) {
       const Result<Vertex> index = lines_.integer(column, "the index" + which);
@@ -129,6 +144,8 @@ Status Su2Reader::read_element(const std::string& noun) {
                            " vertices and perhaps an index",
                        std::to_string(lines_.size()) + " columns");
   }
+  const std::string which = " of an " + noun + " of type " + std::to_string(*type);
+  if (Status as = expect_as_many_behind(1 + size->vertices, which); !as) return as;
   const Status vertices = lines_.integers(1, size->vertices, "a vertex", vertices_);
   if (!vertices) return vertices;
   if (lines_.size() > 1 + size->vertices) {
@@ -146,6 +163,7 @@ Status Su2Reader::read_element(const std::string& noun) {
 Status Su2Reader::read_elements(const std::string& noun) {
   const Result<std::size_t> elements = count("the number of elements");
   if (!elements) return tl::unexpected(elements.error());
+  behind_.reset();
   for (std::size_t i = 0; i < *elements; ++i) {
     bool is_there = lines_.next();
     // Vertices that a zone or a processor sends to another one, and from which side.

@@ -1,5 +1,7 @@
 // Surfaces and lines: OFF, STL, PLY and OBJ.
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "oracle/formats/element_domain.hpp"
@@ -246,6 +248,21 @@ TEST_CASE("ply: a cloud of points, and a surface as elements") {
             .to_string() == "f:5: expected an element vertex, found no element vertex");
 }
 
+TEST_CASE("ply: coordinates may come in any order") {
+  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  std::string axes = "xyz";
+  do {
+    std::string text = begin, numbers;
+    for (const char axis : axes) {
+      text += std::string("property double ") + axis + "\n";
+      numbers += std::to_string(axis - 'x' + 5) + " ";
+    }
+    const auto points = read_ply_file({"f", text + "end_header\n" + numbers + "\n"}, kDouble);
+    REQUIRE_MESSAGE(points, error_of(points));
+    CHECK(points->points.points == std::vector<Point>{{5, 6, 7}});
+  } while (std::next_permutation(axes.begin(), axes.end()));
+}
+
 TEST_CASE("ply: strips of triangles, each turned as the first") {
   const auto with_strips = [](const std::string& strips) {
     return read_ply_elements(
@@ -268,6 +285,9 @@ TEST_CASE("ply: what is refused") {
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
   const std::string vertex = "element vertex 1\n" + xyz;
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+  CHECK(with(vertex + "element face 1\nproperty float quality\nproperty list uchar int "
+                      "vertex_indices\nend_header\n0 0 0\n5\n") ==
+        "f:12: expected the number of values of a list, found the end of the line");
   CHECK(error_of(ply("plz\n")) == "f:1: expected the keyword ply, found \"plz\"");
   CHECK(error_of(ply("ply\nformat ascii 2.0\n")) == "f:2: expected version 1.0, found \"2.0\"");
   CHECK(error_of(ply("ply\nformat binary 1.0\n")) ==

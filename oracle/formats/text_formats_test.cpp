@@ -58,6 +58,7 @@ TEST_CASE("node: a short header, any first index, no points, a byte order mark")
   CHECK(plane->markers.empty());
   CHECK(read_node(named("1 2\n-7 3 4"), kDouble)->first_index == -7);
   CHECK(read_node(named("0 2 0 0\n"), kDouble)->points.empty());
+  CHECK(read_node(named("0 2 0 0\n"), kDouble)->first_index == 0);
   CHECK(read_node(named("\xEF\xBB\xBF"
                         "1 1\n0 5\n"),
                   kDouble)

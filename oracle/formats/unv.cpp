@@ -153,6 +153,7 @@ Status UnvReader::read_nodes() {
     systems_.try_emplace(*system, lines_.line());
     tags_.push_back(*tag);
     if (Status row = next_row(3, "3 coordinates of a node"); !row) return row;
+    if (lines_.size() > 3) return lines_.fail_at(3, "the end of the 3 coordinates of a node");
     for (std::size_t column = 0; column < 3; ++column) {
       Result<Rational> value = number(column);
       if (!value) return tl::unexpected(value.error());

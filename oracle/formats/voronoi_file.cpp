@@ -68,6 +68,7 @@ class VoronoiReader {
       const std::string what = "vertex " + std::to_string(v) + " with " +
                                std::to_string(file_.dimension) + " coordinates";
       if (Status status = next(file_.dimension, what); !status) return status;
+      if (lines_.size() > file_.dimension) return lines_.fail_at(file_.dimension, what + " alone");
       auto point = lines_.numbers(0, file_.dimension, reading_);
       if (!point) return tl::unexpected(point.error());
       if (v > 0) file_.vertices.push_back(std::move(*point));

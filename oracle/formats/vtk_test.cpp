@@ -86,6 +86,25 @@ TEST_CASE("vtk: a cell is what its own type says, whatever those beside it are")
   CHECK(last->polygons.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
 }
 
+TEST_CASE("vtk: numbers of cells are those of as many cells, in binary and in text") {
+  const auto rows = [](bool is_binary, std::size_t cells, const std::vector<std::size_t>& numbers) {
+    NumberWriter out(is_binary ? std::optional(ByteOrder::kBigEndian) : std::nullopt);
+    out.word(std::string("# vtk DataFile Version 3.0\nx\n") + (is_binary ? "BINARY" : "ASCII") +
+             "\nDATASET POLYDATA\nPOINTS 0 double\n\nLINES " + std::to_string(cells) + " " +
+             std::to_string(numbers.size()) + "\n");
+    for (const std::size_t number : numbers) out.integer(number, 4);
+    return vtk(out.text + "\n");
+  };
+  for (const bool is_binary : {false, true}) {
+    // The numbers of a cell are not those of others, even if they could be.
+    const auto file = rows(is_binary, 2, {3, 0, 1, 3, 2, 4, 5});
+    REQUIRE_MESSAGE(file, error_of(file));
+    CHECK(file->edges.simplices == std::vector<Simplex>{{0, 1}, {1, 3}, {4, 5}});
+    CHECK(error_of(rows(is_binary, 1, {2, 0, 1, 2, 1, 2})).find("expected ") != std::string::npos);
+    CHECK(error_of(rows(is_binary, 3, {2, 0, 1, 2, 1, 2})).find("expected ") != std::string::npos);
+  }
+}
+
 TEST_CASE("vtk: what is refused") {
   CHECK(error_of(vtk("vtk")) == "f:1: expected \"# vtk DataFile Version …\", found \"vtk\"");
   CHECK(error_of(vtk("# vtk DataFile Version 3.0\n\nTEXT\n")) ==
@@ -195,6 +214,18 @@ TEST_CASE("vtu: what is refused") {
   CHECK(error_of(xml(document("", "UnstructuredGrid", " compressor=\"vtkBrotli\""))) ==
         "f:1: expected no compressor, vtkZLibDataCompressor, vtkLZ4DataCompressor or "
         "vtkLZMADataCompressor, found \"vtkBrotli\"");
+  CHECK(error_of(xml(document("", "UnstructuredGrid", " header_type=\"Int32\""))) ==
+        "f:1: expected header_type=\"UInt32\" or \"UInt64\", found \"Int32\"");
+  std::string longer = document(piece(kThree, "0 1 2"));
+  longer.replace(longer.find("\"offsets\""), 9, "\"others\"");
+  CHECK(error_of(xml(longer)) == "f:7: expected a DataArray offsets, found none");
+  std::string descending = document(piece(kThree, "0 1 2"));
+  for (const auto& [before, after] : {std::pair{"Cells=\"1\"", "Cells=\"2\""},
+                                      {"ascii\">3<", "ascii\">4 3<"},
+                                      {"ascii\">5<", "ascii\">5 5<"}}) {
+    descending.replace(descending.find(before), std::string(before).size(), after);
+  }
+  CHECK(error_of(xml(descending)) == "f:7: expected an offset from 0 to 3, found 4");
   CHECK(error_of(xml(document(""))) ==
         "f:1: expected an element UnstructuredGrid with a Piece, found none");
   CHECK(error_of(xml(document("<Piece NumberOfCells=\"1\"/>\n"))) ==
@@ -268,6 +299,8 @@ TEST_CASE("base 64: padding within, blanks, faults") {
   CHECK(decode_base64(" Q\nUJ D", 2) == "AB");
   CHECK(decode_base64("QU\r\nJ\tD", 3) == "ABC");
   CHECK(decode_base64("", 5) == "");
+  // What follows the text is another one's.
+  CHECK(decode_base64(std::string_view("QUJDREVGR0hJSktM").substr(0, 12), 12) == "ABCDEFGHI");
   CHECK(!decode_base64("QUJ", 3));
   CHECK(!decode_base64("QU*D", 3));
   CHECK(!decode_base64("Q=BD", 3));

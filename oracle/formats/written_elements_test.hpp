@@ -104,12 +104,30 @@ inline std::string gmsh_2(const WrittenMesh& mesh, std::optional<ByteOrder> bina
   return out.word("\n$EndElements\n").text;
 }
 
+// A point, a curve, a surface, and a volume of two physical groups, 7 and 9. Version 4.0 has a box
+// of a point, too.
+inline std::string gmsh_entities(std::optional<ByteOrder> binary, bool is_4_0) {
+  NumberWriter out(binary);
+  const std::string line = binary ? "" : "\n";
+  out.word("$Entities\n").integer(1, 8).integer(1, 8).integer(1, 8).integer(1, 8).word(line);
+  for (const std::size_t tag : {4U, 5U, 6U, 1U}) {
+    const bool is_point = tag == 4;
+    out.integer(tag, 4);
+    for (std::size_t i = 0; i < (is_point && !is_4_0 ? 3 : 6); ++i) out.number(0.75);
+    out.integer(tag == 1 ? 2 : 0, 8);
+    if (tag == 1) out.integer(7, 4).integer(9, 4);
+    if (!is_point) out.integer(1, 8).integer(4, 4);
+    out.word(line);
+  }
+  return out.word("\n$EndEntities\n").text;
+}
+
 // Nodes in two blocks, the latter half first and with a parameter each.
 inline std::string gmsh_4(const WrittenMesh& mesh, std::optional<ByteOrder> binary) {
   NumberWriter out(binary);
   const std::size_t count = mesh.points.size();
   const std::string line = binary ? "" : "\n";
-  out.word(gmsh_header("4.1", binary) + "$Nodes\n");
+  out.word(gmsh_header("4.1", binary) + gmsh_entities(binary, false) + "$Nodes\n");
   out.integer(2, 8).integer(count, 8).integer(1, 8).integer(count, 8).word(line);
   const auto block = [&](std::size_t begin, std::size_t end, std::size_t parameters) {
     out.integer(parameters, 4)
@@ -143,7 +161,8 @@ inline std::string gmsh_4_0(const WrittenMesh& mesh, std::optional<ByteOrder> bi
   NumberWriter out(binary);
   const std::size_t count = mesh.points.size();
   const std::string line = binary ? "" : "\n";
-  out.word(gmsh_header("4", binary) + "$Nodes\n").integer(2, 8).integer(count, 8).word(line);
+  out.word(gmsh_header("4", binary) + gmsh_entities(binary, true) + "$Nodes\n");
+  out.integer(2, 8).integer(count, 8).word(line);
   const auto block = [&](std::size_t begin, std::size_t end, std::size_t parameters) {
     out.integer(5, 4).integer(parameters, 4).integer(parameters, 4).integer(end - begin, 8);
     for (std::size_t i = begin; i < end; ++i) {

@@ -119,6 +119,18 @@ TEST_CASE("xdmf: what is refused") {
   CHECK(said(item("4", "0 0 0 1"), "Triangle", "").find("3 coordinates of each point, found 4") !=
         std::string::npos);
   CHECK(said("", "Triangle", "").find("a DataItem in Geometry, found none") != std::string::npos);
+  const std::string of_dimensions =
+      ": expected Dimensions=\"N M\", whole numbers whose product fits 64 bits, found ";
+  CHECK(cells("", "0") == "f:6" + of_dimensions + "none");
+  CHECK(cells("1 1 1 1 1 1 1 1 1", "0") == "f:6" + of_dimensions + "\"1 1 1 1 1 1 1 1 1\"");
+  CHECK(said(kTextPoints, "Mixed", item("4", "3 2 0 1")) ==
+        "f:6: expected a polygon of 3 vertices or more, found 2");
+  const std::string typed = "<DataItem Dimensions=\"1 3\" NumberType=";
+  CHECK(said(kTextPoints, "Triangle", typed + "\"Word\">0 1 2</DataItem>").find("found \"Word\"") !=
+        std::string::npos);
+  CHECK(said(kTextPoints, "Triangle",
+             typed + "\"Int\" Format=\"Binary\" Endian=\"Middle\">x.bin</DataItem>") ==
+        "f:6: expected Endian=\"Native\", \"Little\" or \"Big\", found \"Middle\"");
   for (const char* const path : {"/etc/passwd:/a", "../x.h5:/a", "none.h5:/a"}) {
     CHECK(said(item("4 3", path, "HDF"), "Triangle", "").find("the same folder or below it") !=
           std::string::npos);

@@ -45,11 +45,15 @@ TEST_CASE("skeleton: what may mean something in XML stays") {
     CAPTURE(kept);
     const std::string text = "<DataArray>" + std::string(2000, '7') + kept + "</DataArray>";
     CHECK(XmlSkeleton(text).text() == text);
+    const std::string in_front =
+        "<DataArray>" + std::string(kept) + std::string(2000, '7') + "</DataArray>";
+    CHECK(XmlSkeleton(in_front).text() == in_front);
   }
   const std::string blank = "<DataArray>" + std::string(2000, ' ') + "</DataArray>";
   CHECK(XmlSkeleton(blank).text() == blank);
   CHECK(XmlSkeleton("<DataArray").text() == "<DataArray");
   CHECK(XmlSkeleton("<DataArray a=\"").text() == "<DataArray a=\"");
+  CHECK(XmlSkeleton("<DataArray a=\"<AppendedData>\" _>").appended() == ">");
 }
 
 TEST_CASE("skeleton: appended bytes") {

@@ -130,6 +130,18 @@ TEST_CASE("vertices hang between parts only, unless facets lead from one side to
   CHECK(!judge_complex(mesh, {}, false, 0).complex->only_parts_hang);
 }
 
+TEST_CASE("overlaps of different parts are counted, and the pairs of parts that have any") {
+  // A square of two triangles, a triangle across its diagonal, and one that is far away.
+  const ListedComplex mesh{
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}, {2, 1}, {3, 3}, {9, 9}, {9, 8}, {8, 9}},
+      {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
+  CHECK(broken(mesh) == Tallies{{Rule::kOverlap, 2}});
+  const ComplexFacts facts = *judge_complex(mesh, {}, false, 0).complex;
+  CHECK(facts.parts == 3);
+  CHECK(facts.overlaps_of_parts == 2);
+  CHECK(facts.overlapping_parts == 1);
+}
+
 TEST_CASE("in a mirror positive simplices are negative, and those of the rarer sign are named") {
   const std::vector<Point> strip = {{0, 0}, {0, 4}, {4, 0}, {4, 4}, {8, 0}, {8, 4}};
   for (unsigned turned = 0; turned < 16; ++turned) {

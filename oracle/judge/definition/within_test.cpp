@@ -111,6 +111,15 @@ TEST_CASE("the triangles of a polygon are found, and the better of two choices")
   const auto beyond = with({95, 40, 3}, fan);
   CHECK(beyond->squared_reach == 34);
   CHECK(beyond->images.at({2, 0}).size() == 3);
+  // A step has two triangles that stand upright.
+  std::vector<Point> points = square.points;
+  points.insert(points.end(), {{45, 45, 0}, {45, 45, 3}});
+  ExactMesh step{PointSet(points), {}};
+  step.faces = {{0, 1, 4}, {0, 3, 4}, {1, 2, 5}, {2, 3, 5}, {1, 4, 5}, {3, 4, 5}};
+  CHECK(reach_of(step, square, 100).error()->rule == Rule::kPolygonNotTiled);
+  step.points =
+      PointSet({{0, 0, 0}, {90, 0, 0}, {90, 90, 0}, {0, 90, 0}, {40, 40, 0}, {45, 45, 3}});
+  CHECK(reach_of(step, square, 100)->squared_reach == 9);
   // If the square is there as well, as it is, the vertex 4 is free.
   std::vector<Simplex> twice = fan;
   twice.insert(twice.end(), {{0, 1, 2}, {0, 2, 3}});

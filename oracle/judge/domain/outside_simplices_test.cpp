@@ -22,7 +22,7 @@ std::size_t outside(const ExactMesh& mesh, const Domain& domain, By by) {
   CHECK(named.size() == tally->second.count);
   return tally->second.count;
 }
-void check_outside(std::size_t count, const ExactMesh& mesh, const Domain& domain) {
+void check_in_this_order(std::size_t count, const ExactMesh& mesh, const Domain& domain) {
   CHECK(outside(mesh, domain, By::kDefinition) == count);
   CHECK(outside(mesh, domain, By::kLemma) == count);
   // The fast engine knows that such a mesh is sound.
@@ -30,6 +30,15 @@ void check_outside(std::size_t count, const ExactMesh& mesh, const Domain& domai
   const Verdict verdict =
       judge_domain(Claim::kSteinerTriangulation, mesh, domain, {}, known ? &*known : nullptr);
   CHECK(verdict.tallies().at(Rule::kOutside).count == count);
+}
+void check_outside(std::size_t count, ExactMesh mesh, const Domain& domain) {
+  check_in_this_order(count, mesh, domain);
+  // What is in the middle comes first, or last.
+  std::rotate(mesh.simplices.begin(), mesh.simplices.begin() + std::ssize(mesh.simplices) / 2,
+              mesh.simplices.end());
+  check_in_this_order(count, mesh, domain);
+  std::reverse(mesh.simplices.begin(), mesh.simplices.end());
+  check_in_this_order(count, mesh, domain);
 }
 
 // A square with a square hole.

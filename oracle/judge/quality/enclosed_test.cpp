@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "kernel/exact/number.hpp"
+#include "oracle/judge/quality/enclosed_mesh.hpp"
 #include "oracle/judge/quality/filtered.hpp"
 #include "oracle/judge/quality/magnitude.hpp"
 #include "oracle/model/mesh.hpp"
@@ -61,6 +62,24 @@ TEST_CASE("each operation on enclosed numbers encloses what it is of exact ones"
     divided += std::isfinite(quotient.error) ? 1 : 0;
   }
   CHECK(divided > 1000);
+}
+
+TEST_CASE("what bounds a measure is within what doubles know of it") {
+  for (long tenth = 1; tenth < 1800; tenth += 7) {
+    const Rational bound(tenth, 10);
+    CHECK(encloses(enclosed_bound(Measure::kEdge, bound), bound));
+    const DoubleRange angle = signed_square_of_degrees(bound);
+    for (const double end : {angle.low, angle.high}) {
+      CHECK(encloses(enclosed_bound(Measure::kMinAngle, bound), exact_value(end)));
+    }
+  }
+}
+
+TEST_CASE("nothing is certain of a quotient whose divisor may be half of what it is taken for") {
+  for (const double divisor : {1.0, 0x1p-500, 3e200}) {
+    CHECK(std::isfinite((Enclosed{1, 0} / Enclosed{divisor, divisor * 0.49}).error));
+    CHECK(!std::isfinite((Enclosed{1, 0} / Enclosed{divisor, divisor * 0.5}).error));
+  }
 }
 
 TEST_CASE("a squared length is within its bounds, of one edge and of all edges up to the longest") {

@@ -170,6 +170,11 @@ TEST_CASE("bounds of regions are refused where they bound nothing, or twice") {
   const Mesh corner = listed_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
   CHECK(fault_of_quality(corner, requiring({"area:regions"}).quality, &rooms, false)
             .find("in dimension 3") != std::string::npos);
+  // Even of a single point, and not of none.
+  CHECK(fault_of_quality(listed_mesh({{1, 1, 1}}, {}), requiring({"area:regions"}).quality, &rooms,
+                         false)
+            .find("in dimension 3") != std::string::npos);
+  CHECK(fault_of_quality(Mesh(), requiring({"area:regions"}).quality, &rooms, false).empty());
   CHECK(fault(&rooms, true).find("found a distance") != std::string::npos);
   CHECK(fault(nullptr).find("found no domain") != std::string::npos);
   rooms.region_bounds.push_back({{8, 3}, 3});

@@ -67,6 +67,7 @@ TEST_CASE("extremes and histograms are those of the definition") {
     Dice dice(seed);
     const Mesh mesh = drawn_mesh(dice);
     const Survey found = survey(mesh, 1);
+    CHECK(found.dimension + 1 == static_cast<int>(mesh.simplices.columns()));
     for (const Extreme& extreme : found.extremes) {
       const auto all = defined(extreme.measure, mesh);
       REQUIRE(!all.empty());
@@ -207,6 +208,13 @@ TEST_CASE("topology: a ring, a sphere, a torus, a Moebius strip, a ball and a th
                                                             {9, 5, 6}}));
   CHECK(two_strips.boundary_parts == 2);
   CHECK(!two_strips.genus);  // which as two surfaces with two sides would be 1
+  // Of edges, all ends of which have the empty ridge in common.
+  const Topology path = topology(listed_mesh(corner, {{0, 1}, {1, 2}}));
+  CHECK(path.boundary_facets == 2);
+  CHECK(path.boundary_parts == 1);
+  const Topology cycle = topology(listed_mesh(corner, {{0, 1}, {1, 2}, {2, 0}}));
+  CHECK(cycle.euler_characteristic == 0);
+  CHECK(cycle.boundary_parts == 0);
 }
 
 // In how many parts are some faces, if those with a common face of this size are connected?

@@ -166,9 +166,13 @@ TEST_CASE("structure: in space a ridge with three ends or more is listed with th
     other.neighbors.erase(other.neighbors.begin() + static_cast<std::ptrdiff_t>(r));
     CHECK(broken(other) == Broken{{Rule::kRidgeMissing, 1}});
   }
-  diagram.neighbors.push_back({1, 2});  // on opposite sides, without a common vertex
-  diagram.ridges.push_back({{0, 1}});
-  CHECK(broken(diagram) == Broken{{Rule::kRidgeDiffers, 1}});
+  diagram.neighbors.push_back({1, 2});    // on opposite sides, without a common vertex
+  for (const std::vector<Vertex>& ends :  // of either, of the first, of the second
+       std::vector<std::vector<Vertex>>{{0, 1}, {0, 2}, {1, 3}}) {
+    diagram.ridges.resize(diagram.neighbors.size() - 1);
+    diagram.ridges.push_back({ends});
+    CHECK(broken(diagram) == Broken{{Rule::kRidgeDiffers, 1}});
+  }
   diagram.neighbors.back() = {0, 1};  // an edge of its square
   diagram.ridges.back() = {{diagram.ridges[0].corners[0], diagram.ridges[0].corners[1]}};
   CHECK(broken(diagram) == Broken{{Rule::kRidgeDiffers, 1}});

@@ -47,6 +47,11 @@ Verdict judged(const VoronoiDiagram& diagram, const Rational& squared_distance =
   CHECK(verdict.holds() == by_definition.holds());
   CHECK(verdict.voronoi->squared_distance == by_definition.voronoi->squared_distance);
   CHECK(verdict.voronoi->site == by_definition.voronoi->site);
+  // However few witnesses are kept, each fault is counted.
+  const Verdict few = judge_voronoi(diagram, box, squared_distance, false, 1);
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    CHECK(few.tallies().at(rule).count == tally.count);
+  }
   return verdict;
 }
 

@@ -55,7 +55,6 @@ bool Cells::is_marked(const Simplex& triangle, std::size_t polygon) const {
 }
 
 bool Cells::meet(Cell a, Cell b) const {
-  if (a.dimension > b.dimension) std::swap(a, b);
   if (a.dimension == 0) return is_in_closure(a, b);
   const std::vector<Vertex> of_a = vertices(a);
   return std::any_of(of_a.begin(), of_a.end(), [&](Vertex v) {

@@ -30,7 +30,7 @@ std::string answer(const MovedMesh& moved, Claim claim = kTriangulates,
   return "holds " + std::to_string(bits);
 }
 
-// By definition it is the same, and of the mirror image.
+// By definition it is the same, and of the mirror image, and numbered from the other end.
 std::string both_answers(const MovedMesh& moved, const Rational& distance = 100 * kBit) {
   const auto slow = judge_within(kTriangulates, moved.mesh, moved.domain, distance * distance,
                                  {.by = By::kDefinition});
@@ -42,6 +42,7 @@ std::string both_answers(const MovedMesh& moved, const Rational& distance = 100 
     CHECK(quick == "not judged");
   }
   CHECK(answer(mirrored(moved), kTriangulates, distance) == quick);
+  CHECK(answer({renumbered(moved.mesh), moved.domain}, kTriangulates, distance) == quick);
   return quick;
 }
 
@@ -359,6 +360,9 @@ TEST_CASE("within: dangling polygons that are not flat any more are counted") {
   REQUIRE(verdict);
   CHECK(verdict->holds());
   CHECK(verdict->within->not_compared == 1);
+  sheet.mesh = moved_vertex(sheet.mesh, {0, 0, bits(1)}, {bits(1), 0, -bits(1)});
+  const auto flat = judge_within(Claim::kCdt, sheet.mesh, sheet.domain, kSquaredLimit);
+  CHECK((flat && flat->holds() && flat->within->not_compared == 0));
 }
 
 TEST_CASE("within: a lone vertex of the domain outside what is filled has no simplex") {

@@ -1,6 +1,7 @@
 // For tests: meshes of slanted domains, whose vertices are then moved.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <random>
 
@@ -56,6 +57,22 @@ inline MovedMesh mirrored(const MovedMesh& moved) {
   complex.hole_seeds = each(complex.hole_seeds);
   for (Polygon& polygon : complex.polygons) polygon.hole_seeds = each(polygon.hole_seeds);
   return {with_points(moved.mesh, each(moved.mesh.points.points())), {std::move(complex)}};
+}
+
+// Vertices numbered from the other end.
+inline Simplex renumbered(Simplex simplex, std::size_t points) {
+  for (Vertex& v : simplex) v = static_cast<Vertex>(points) - 1 - v;
+  return sorted(simplex);
+}
+inline ExactMesh renumbered(const ExactMesh& mesh) {
+  std::vector<Point> points = mesh.points.points();
+  std::reverse(points.begin(), points.end());
+  ExactMesh result{PointSet(points), {}};
+  for (const Simplex& simplex : mesh.simplices) {
+    result.simplices.push_back(renumbered(simplex, points.size()));
+  }
+  for (const Simplex& face : mesh.faces) result.faces.push_back(renumbered(face, points.size()));
+  return result;
 }
 
 // Every vertex moved by a few billionths along each axis.

@@ -181,4 +181,22 @@ TEST_CASE("a segment stays for certain if no way leads around it by small angles
   CHECK(of_fan.certainly({0, 1}));  // of one polygon
 }
 
+TEST_CASE("what a polygon is cut into says which polygon that was, flat ones included") {
+  Dice dice(1);
+  PiecewiseLinearInput input = drawn_rounded(dice, 4);
+  for (int copy = 0; copy < 2; ++copy) {
+    input.polygons.insert(input.polygons.begin(), {{{0, 1, 2}}, {}});
+    input.polygons.push_back({{{2, 3, 4}}, {}});
+  }
+  const auto cut = rounded_polygons_cut(input, 1);
+  REQUIRE(cut);
+  CHECK(cut->cut == 1);
+  CHECK(cut->cut_of == std::vector<std::size_t>{0, 1, 2, 2, 2, 3, 4});
+  REQUIRE(cut->input.polygons.size() == cut->cut_of.size());
+  for (std::size_t p = 0; p < cut->cut_of.size(); ++p) {
+    const std::vector<Vertex> whole = vertices_of(input.polygons[cut->cut_of[p]]);
+    for (const Vertex v : cut->input.polygons[p].lines[0]) CHECK(contains(whole, v));
+  }
+}
+
 }  // namespace circumspect::check

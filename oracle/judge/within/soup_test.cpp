@@ -311,6 +311,46 @@ void check_forbidden(const Soup& soup, const Rational& squared_limit) {
         verdict->steiner_points->count());
 }
 
+// Each fault that is counted has a witness. Images that meet do so in a face of the mesh; and what
+// is missing is missing from a cell of the domain.
+void check_witnesses(const tl::expected<Verdict, NotJudged>& verdict, const Soup& soup) {
+  if (!verdict) return;
+  std::size_t counted = 0;
+  for (const auto& tally : verdict->tallies()) counted += tally.second.count;
+  CHECK(counted == verdict->violations().size());
+  std::vector<Simplex> of_mesh = soup.mesh.faces;
+  of_mesh.insert(of_mesh.end(), soup.mesh.simplices.begin(), soup.mesh.simplices.end());
+  for (const Violation& violation : verdict->violations()) {
+    const Witness& witness = violation.witness;
+    if (violation.rule == Rule::kImagesMeet) {
+      CHECK(!has_repeated_vertex(*witness.face));
+      CHECK(std::any_of(of_mesh.begin(), of_mesh.end(),
+                        [&](const Simplex& of) { return has_face(of, *witness.face); }));
+    }
+    const bool is_missing = violation.rule == Rule::kSegmentMissing ||
+                            violation.rule == Rule::kDomainVertexMissing ||
+                            violation.rule == Rule::kPolygonNotTiled;
+    if (is_missing) CHECK((witness.domain_cell || witness.polygon));
+  }
+}
+
+// However its vertices are numbered, a mesh holds at the same distance, or does not.
+void check_renumbered(const tl::expected<Verdict, NotJudged>& verdict, const Soup& soup,
+                      const Rational& squared_limit) {
+  Markers markers{{}, soup.markers.of_polygons};
+  for (const auto& [triangle, marker] : soup.markers.of_triangles) {
+    markers.of_triangles[renumbered(triangle, soup.mesh.points.size())] = marker;
+  }
+  const auto again = judge_within(Claim::kSteinerTriangulation, renumbered(soup.mesh), soup.domain,
+                                  squared_limit, {}, nullptr, nullptr, markers);
+  REQUIRE(again.has_value() == verdict.has_value());
+  if (!verdict) return;
+  CHECK(again->holds() == verdict->holds());
+  if (!verdict->holds()) return;
+  CHECK(to_string(again->within->squared_reach) == to_string(verdict->within->squared_reach));
+  CHECK(again->dangling == verdict->dangling);
+}
+
 void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
   std::map<ReachAnswer::Kind, int> seen;
   int held = 0;
@@ -330,13 +370,16 @@ void hold_soups_to_definition(std::size_t dimension, unsigned long cases) {
     }
     compare_distances(soup, limit * limit);
     compare_searches(soup, limit * limit, seen);
-    const auto quick = judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain,
-                                    limit * limit, {}, nullptr, nullptr, soup.markers);
+    const auto quick =
+        judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit,
+                     {.max_violations = 0}, nullptr, nullptr, soup.markers);
     const auto slow =
         judge_within(Claim::kSteinerTriangulation, soup.mesh, soup.domain, limit * limit,
                      {.by = By::kDefinition}, nullptr, nullptr, soup.markers);
     CHECK(said(quick) == said(slow));
     check_forbidden(soup, limit * limit);
+    check_witnesses(quick, soup);
+    check_renumbered(quick, soup, limit * limit);
     const bool are_triangles = soup.mesh.simplices.empty() && dimension == 3 &&
                                std::all_of(soup.mesh.faces.begin(), soup.mesh.faces.end(),
                                            [](const Simplex& face) { return face.size() == 3; });
