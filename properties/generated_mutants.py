@@ -7,11 +7,11 @@
                                               and one by operators; writes mutants_noticed.tsv, a row a file
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
     generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
-    ... --count 700 --seed 20260101           how many of all there are, and which
+    ... --count 3000 --seed 20260101           how many of all there are, and which
     ... --files PATTERN                       only those of files whose names match this
     ... --changed                             only those of files that have changed since, or were never tried
     ... --only TEXT                           only the mutants whose description has this text
-    ... --tests PATTERN --seconds 60          which tests; a mutant survives those that together take so long
+    ... --tests PATTERN --seconds 20          which tests; a mutant survives those that together take so long
 
 mutant_places.py says what a mutant changes in C++, python_mutant_places.py and ocaml_mutant_places.py in the Python package and the
 readers of certificates. The ones to try are those whose description has the lowest hash values, so that
@@ -21,7 +21,7 @@ All mutants are compiled at once, as in mutants.py. First each test is run witho
 comes across; then each mutant is tried on these tests, until one fails, crashes or does not end. The tests that noticed most
 mutants of its file come first, of the others the quickest.
 A mutant that survives and is not in generated_mutants.tsv, with the reason why it changes no answer, is a failure; so is
-one that is in it and is killed.
+one that is in it and is killed. Ctrl-C ends it with the table of those that were tried.
 """
 import argparse
 import collections
@@ -300,16 +300,16 @@ def main():
     parser.add_argument("work", nargs="?", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--sources", action="store_true")
-    parser.add_argument("--count", type=int, default=700)
+    parser.add_argument("--count", type=int, default=3000)
     parser.add_argument("--seed", type=int, default=20260101)
     parser.add_argument("--only", default="")
     parser.add_argument("--files", type=re.compile, default=re.compile(""))
     parser.add_argument("--changed", action="store_true")
     parser.add_argument("--targets", type=lambda text: text.split(","), default=ALL_TARGETS, help="test programs, parted by commas")
     parser.add_argument("--tests", help="a pattern of names of tests")
-    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--seconds", type=float, default=20)
     parser.add_argument("--untried", action="store_true")
-    parser.add_argument("--again", action="store_true", help="only those that survived the last time")
+    parser.add_argument("--again", action="store_true", help="only those that survived the last time without a reason")
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     names = [file for file in files() if options.files.search(file)]
@@ -330,7 +330,7 @@ def main():
         print("\n".join("\t".join(key) for key, name in killed.items() if name is None and key not in table))
         return 0
     if options.again:  # what was killed, and what did not compile, is neither looked for nor compiled again
-        open_ones = {key for key, name in killed.items() if name is None and options.only in "\t".join(key)}
+        open_ones = {key for key, name in killed.items() if name is None and key not in table and options.only in "\t".join(key)}
         tried = [m for m in all_of(work, sorted({key[0] for key in open_ones})) if m.key() in open_ones]
     else:
         tried = chosen(all_of(work, sum(changed(names), []) if options.changed else names), options.seed, options.count)
@@ -352,11 +352,16 @@ def main():
         return name
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for mutant, name in zip(to_try, pool.map(timed_killer, to_try)):
-            killed[mutant.key()] = name
-            state = f"killed by {name}" if name else "changes no answer" if mutant.key() in table else "SURVIVES"
-            print("\t".join([state, f"{mutant.file}:{mutant.line_number}", mutant.line, mutant.other]), flush=True)
-            results.write_text(json.dumps(list(killed.items())))
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        try:
+            for mutant, name in zip(to_try, pool.map(timed_killer, to_try)):
+                killed[mutant.key()] = name
+                state = f"killed by {name}" if name else "changes no answer" if mutant.key() in table else "SURVIVES"
+                print("\t".join([state, f"{mutant.file}:{mutant.line_number}", mutant.line, mutant.other]), flush=True)
+                results.write_text(json.dumps(list(killed.items())))
+        except KeyboardInterrupt:  # what was tried so far is as random as the whole
+            pool.shutdown(wait=False, cancel_futures=True)
+            print(f"interrupted: {len(killed)} of {len(to_try)} mutants were tried", flush=True)
     if not options.only:
         write_noticed(killed, table, seconds)
     print_table(killed, table)

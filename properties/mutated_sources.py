@@ -112,8 +112,10 @@ def compiled(work, targets, of_proofs):
 def faulty_lines(said, work):
     """The files and lines that the compilers name."""
     for found in re.finditer(r"^(\S+?):(\d+):\d+: (?:fatal )?error", said, re.M):
-        if pathlib.PurePath(found[1]).is_relative_to(work):
-            yield str(pathlib.PurePath(found[1]).relative_to(work)), int(found[2])
+        # A compiler cache may have made the paths relative to where the compiler runs.
+        path = (work / "build/release" / found[1]).resolve()
+        if path.is_relative_to(work):
+            yield str(path.relative_to(work)), int(found[2])
     for found in re.finditer(r'^File "(\w+\.ml)", lines? (\d+)', said, re.M):
         yield f"proofs/ocaml/{found[1]}", int(found[2])
 
