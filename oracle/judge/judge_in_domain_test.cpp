@@ -212,6 +212,22 @@ TEST_CASE("sheared grids fill their domains, but are not Delaunay") {
   }
 }
 
+TEST_CASE("a room has vertices in the balls of another one, beyond the walls of both") {
+  ExactMesh mesh = grid({0, 10}, {0, 10}, {0, 1}, every_cell);
+  const ExactMesh other = grid({4, 6}, {4, 6}, {2, 3}, every_cell);
+  std::vector<Point> points = mesh.points.points();
+  const auto first = static_cast<Vertex>(points.size());
+  for (const Point& point : other.points.points()) points.push_back(point);
+  for (Simplex simplex : other.simplices) {
+    for (Vertex& v : simplex) v += first;
+    mesh.simplices.push_back(simplex);
+  }
+  mesh.points = PointSet(points);
+  const Domain domain = domain_of_facets(mesh, [](std::size_t uses) { return uses == 1; });
+  CHECK(rules(Claim::kSteinerCdt, mesh, domain).empty());
+  CHECK(rules(Claim::kConformingDelaunay, mesh, domain) == std::set{Rule::kVertexInBall});
+}
+
 TEST_CASE("a facet of one simplex, off the walls") {
   const Domain cube = domain_of(generators::box(0, 2));
   const ExactMesh mesh = eight_cubes_with_a_gap();
