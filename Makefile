@@ -228,12 +228,12 @@ soak: deps-test
 	@properties/soak.py build/release $(MINUTES)
 
 # Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
-# Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md): with CHANGED=1 of the
+# Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md), in Python and OCaml too: with CHANGED=1 of the
 # files that have changed since, with FILES=oracle/judge/voronoi of some; COUNT=100 tries so many.
 mutants: deps-test
 	@python3 properties/mutants.py build/mutants
 
-mutants-generated: deps-test
+mutants-generated: deps-test verified
 	@cmake/packages.sh mutants
 	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES)) \
 	  $(if $(COUNT),--count $(COUNT))

@@ -21,10 +21,12 @@ let words () =
       expect "down28" (Word.down28 x = Big.to_int (Big.fdiv (z x) (Big.shift_left Big.one 28)));
       expect "size" (Word.size x = if x <= 0 then 0 else Big.numbits (z x));
       expect "to_pos" (Word.to_pos x = if x < 1 then 1 else x);
+      if x < 1000 then expect "natural" (Word.natural 0 succ x = max 0 x);
       List.iter (fun y ->
           expect "add" (x + y = wrapped (Big.add (z x) (z y)));
           expect "sub" (x - y = wrapped (Big.sub (z x) (z y)));
           expect "mul" (x * y = wrapped (Big.mul (z x) (z y)));
+          expect "less" (Big.less x y = Big.lt (z x) (z y));
           expect "comparisons" (Word.less x y = Big.lt (z x) (z y) && Word.at_most x y = Big.leq (z x) (z y)
                                 && Word.equal x y = Big.equal (z x) (z y))) interesting;
       for k = -65 to 65 do
