@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Prints the table of what was measured of docs/certificates.md: TetGen and Qhull (qdelaunay) have to be in the PATH.
+"""Measures what certificates cost and how many there are, and prints the table of docs/certificates.md.
 
     proofs/measured.py CIRCUMSPECT CIRCUMSPECT_VERIFIED [--divide N]
 
-`--divide 100` tries the script itself, on the hundredth part of everything.
+It takes a quarter of an hour on two processors. TetGen and Qhull (qdelaunay) have to be in the PATH. `--divide 100` tries the script
+itself, on the hundredth part of everything.
 """
 import argparse
 import collections
@@ -19,9 +20,8 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 # Points that make some 10^6 triangles, and 10^6 tetrahedra.
 POINTS = {2: 500_500, 3: 149_500}
-# So many times the inputs that forgeries.py draws by itself, and forgeries of each: more than
-# 10^5 in all.
-BATCHES, FORGERIES = 16, 50
+# So many runs of forgeries.py, and forgeries of each of its inputs: more than 10^5 in all.
+BATCHES, FORGERIES = 17, 50
 
 
 def last_lines(*command):
@@ -45,7 +45,7 @@ def random_mesh(dimension, count, folder):
 
 
 def seconds_and_memory(*command):
-    """Of a processor, and the most bytes at once."""
+    """What the checker takes to verify a Delaunay triangulation: seconds of a processor, and the most bytes at once."""
     with subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE, text=True) as process:
         said = process.stdout.read()
         _, status, used = os.wait4(process.pid, 0)
@@ -56,6 +56,7 @@ def seconds_and_memory(*command):
 
 
 def simplices(circumspect, verified, divide, folder):
+    """The rows about large meshes."""
     for dimension, name in ((3, "tetrahedra"), (2, "triangles")):
         mesh, count = random_mesh(dimension, POINTS[dimension] // divide, folder)
         node, ele, certificate = mesh.with_suffix(".node"), mesh.with_suffix(".ele"), mesh.with_suffix(".cert")
@@ -100,8 +101,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for cells in simplices(*programs, divide, pathlib.Path(folder)):
             row(*cells)
-    row("forgeries", f"`proofs/forgeries.py .. --forgeries {FORGERIES} --seed S`, S from 1 to {BATCHES // divide + 1}",
-        forgeries(programs, BATCHES // divide + 1))
+    batches = max(BATCHES // divide, 1)
+    row("forgeries", f"`proofs/forgeries.py .. --forgeries {FORGERIES} --seed S`, S from 1 to {batches}", forgeries(programs, batches))
 
 
 if __name__ == "__main__":

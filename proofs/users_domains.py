@@ -134,7 +134,7 @@ def the_same(text):
     points = 1 + int(rows[0].split()[0])
     for header in (f"0 {rows[0].split()[1]} 0 0\n", "0\n"):
         yield "with its points in another file", "".join([header, *rows[points:]]), "".join(rows[:points])
-    is_plane, own = text is PLANE, HOLES if text is PLANE else "0\n"
+    is_plane, own = text == PLANE, HOLES if text == PLANE else "0\n"
     width, height, middle = 8, 24 if is_plane else 40, [4] * (1 if is_plane else 2)
     for seed in ((*middle, height + 1), (*middle, -1), (width + 1, *middle[1:], 9), (-1, *middle[1:], 9)):
         more = f"{int(own[0]) + 1}{own[1:]}9 {' '.join(map(str, seed))}\n"
@@ -142,8 +142,6 @@ def the_same(text):
     wider = [f"{row[:-1]} 7\n" if 0 < k < points else row for k, row in enumerate(rows)]
     yield "with further columns", "".join(wider).replace(" 1 1\n", " 2 1\n", 1), None
     yield "with a region of no attribute", text.removesuffix(" .1\n") + "\n", None
-
-
     if not is_plane:
         yield "with a hole of a polygon beyond it", text.replace(BOTTOM, BOTTOM.replace("2 0", "2 1") + "1 4 9 0\n"), None
 
@@ -151,7 +149,7 @@ def the_same(text):
 def altered(text):
     """What says something else: how, the .poly file, and the .node file beside it."""
     rows = [line.split() for line in text.splitlines()]
-    points, is_plane = int(rows[0][0]), text is PLANE
+    points, is_plane = int(rows[0][0]), text == PLANE
     counts = {0: 4, points + 1: 2}  # how many, by the line
     for place, row in enumerate(rows[points + 2:-3 if is_plane else -2], points + 2):
         counts[place] = 2 if not is_plane and row[1:] == ["0", "1"] else len(row) == 1
@@ -232,7 +230,7 @@ def hold(programs, folder, text):
 def hold_faces(programs, folder, text):
     """Of the edges, or triangles, that a file beside the mesh lists. How many such files were tried."""
     certificate, node, ele, poly = (folder / f"own.{name}" for name in ("cert", "node", "ele", "poly"))
-    beside, other = (folder / name for name in (("own.edge", "own.face") if text is PLANE else ("own.face", "own.edge")))
+    beside, other = (folder / name for name in (("own.edge", "own.face") if text == PLANE else ("own.face", "own.edge")))
     other.unlink(missing_ok=True)
     cells = [line.split()[1:] for line in ele.read_text().splitlines()[1:]]
     size = len(cells[0]) - 1
@@ -244,19 +242,22 @@ def hold_faces(programs, folder, text):
         beside.write_text("\n".join(" ".join(row) for row in [header, *([str(k), *row] for k, row in enumerate(rows))]) + "\n")
         return programs.answer(certificate, node, ele, poly)[0]
 
-    marked = [[*row, "5"] for row in own]
+    marked, tried = [[*row, "5"] for row in own], 0
     for header, rows in ((["3"], own), (["3", "1"], marked), (["3"], [[*row, "7", "8", "9"] for row in own]), (["0"], [])):
         line = answer(header, rows)
         assert line.startswith("verified: cdt"), f"{beside.name} {header} {rows}: expected 'verified', found '{line}'"
+        tried += 1
     for header, rows, place in ((["3", "2"], [[*row, "6"] for row in marked], 1), (["3", "1"], own, 2), (["3"], [*marked[:2], own[2]], 4),
                                 (["3"], [*own[:2], marked[2]], 4), (["3"], [[*row, "7", "8", "9", "9"] for row in own], 2),
                                 (["2"], own, 4), (["4"], own, 5), (["3"], [["x", *own[0][1:]], *own[1:]], 2), (["3", "1"], [*marked[:2], [*own[2], "x"]], 4)):
         line = answer(header, rows)
         assert line.startswith(f"malformed: {beside}:{place}: expected "), f"{beside.name} {header} {rows}: expected a fault in line {place}, found '{line}'"
+        tried += 1
     for header, rows, place in ((["3"], [*own[:2], stray], 4), (["3", "1"], [*marked[:2], [*stray, "1"]], 4), (["3"], [["999", *own[0][1:]], *own[1:]], 2)):
         line = answer(header, rows)
         assert line.startswith("rejected: another mesh, ") and f"{place}: found " in line, f"{beside.name} {rows}: expected a refusal, found '{line}'"
-    return 16
+        tried += 1
+    return tried
 
 
 # Meshes of corpus/domains beside their domains, and claims that hold.

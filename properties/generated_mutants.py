@@ -7,7 +7,7 @@
                                               and one by operators; writes mutants_noticed.tsv, a row a file
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
     generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
-    ... --count 3000 --seed 20260101           how many of all there are, and which
+    ... --count 3000 --seed 20260101          how many of all there are, and which
     ... --files PATTERN                       only those of files whose names match this
     ... --changed                             only those of files that have changed since, or were never tried
     ... --only TEXT                           only the mutants whose description has this text
@@ -65,12 +65,9 @@ GROUPS = {"predicates": ["kernel/predicates/*.cpp", "kernel/exact/linear_algebra
           "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"],
           "the Python package": ["python/circumspect/*.py"],
           "readers of certificates": ["proofs/ocaml/*.ml"]}
-# Writers, pictures and what only says something in words decide nothing. The last two are for
-# tests.
+# Writers, pictures, what only says something in words, and programs for tests decide nothing.
 NOT_MUTATED = re.compile(r".*_test\.[ch]pp|oracle/formats/bytes/unfinished_file\..*|oracle/judge/verdict_of_faults\..*"
                          r"|python/circumspect/drawing\.py|proofs/ocaml/(quick_test|answers)\.ml")
-
-
 
 
 def group_of(file):
