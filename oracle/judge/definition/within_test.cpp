@@ -6,14 +6,14 @@
 namespace circumspect::definition {
 namespace {
 
-// Everything in a mesh is used, and no triangles are meant.
+// Everything in a mesh is used. `meant`: triangles for the first polygon.
 auto reach_of(const ExactMesh& mesh, const PiecewiseLinearInput& input,
-              const Rational& squared_limit) {
+              const Rational& squared_limit, const std::vector<Simplex>& meant = {}) {
   const PiecewiseLinearComplex complex = assemble(input);
   const std::vector<bool> used(mesh.points.size(), true);
-  return least_reach({complex, Regions(complex), mesh, used,
-                      std::vector<std::vector<Simplex>>(complex.polygons.size())},
-                     squared_limit);
+  std::vector<std::vector<Simplex>> all_meant(complex.polygons.size());
+  if (!meant.empty()) all_meant.front() = meant;
+  return least_reach({complex, Regions(complex), mesh, used, all_meant}, squared_limit);
 }
 
 const PiecewiseLinearInput kTriangle{{{0, 0}, {80, 0}, {0, 60}}, {{0, 1}, {1, 2}, {0, 2}}, {}, {}};
@@ -111,15 +111,20 @@ TEST_CASE("the triangles of a polygon are found, and the better of two choices")
   const auto beyond = with({95, 40, 3}, fan);
   CHECK(beyond->squared_reach == 34);
   CHECK(beyond->images.at({2, 0}).size() == 3);
-  // A step has two triangles that stand upright.
-  std::vector<Point> points = square.points;
-  points.insert(points.end(), {{45, 45, 0}, {45, 45, 3}});
-  ExactMesh step{PointSet(points), {}};
-  step.faces = {{0, 1, 4}, {0, 3, 4}, {1, 2, 5}, {2, 3, 5}, {1, 4, 5}, {3, 4, 5}};
-  CHECK(reach_of(step, square, 100).error()->rule == Rule::kPolygonNotTiled);
-  step.points =
-      PointSet({{0, 0, 0}, {90, 0, 0}, {90, 90, 0}, {0, 90, 0}, {40, 40, 0}, {45, 45, 3}});
-  CHECK(reach_of(step, square, 100)->squared_reach == 9);
+  // A step has two triangles that stand upright: they are no part of it, even if they are meant.
+  const std::vector<Simplex> stairs = {{0, 1, 2}, {0, 1, 5}, {2, 3, 4},
+                                       {3, 4, 5}, {0, 2, 3}, {0, 3, 5}};
+  const auto stepped = [&](const Point& lower) {
+    ExactMesh mesh{PointSet({lower, {0, 0, 0}, {90, 0, 0}, {45, 45, 3}, {90, 90, 0}, {0, 90, 0}}),
+                   {}};
+    mesh.faces = stairs;
+    return mesh;
+  };
+  for (const auto& meant : {std::vector<Simplex>{}, stairs}) {
+    CHECK(reach_of(stepped({45, 45, 0}), square, 100, meant).error()->rule ==
+          Rule::kPolygonNotTiled);
+    CHECK(reach_of(stepped({40, 40, 0}), square, 100, meant)->squared_reach == 9);
+  }
   // If the square is there as well, as it is, the vertex 4 is free.
   std::vector<Simplex> twice = fan;
   twice.insert(twice.end(), {{0, 1, 2}, {0, 2, 3}});
