@@ -309,6 +309,8 @@ def main():
     parser.add_argument("--again", action="store_true", help="only those that survived the last time without a reason")
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
+    for one in (signal.SIGINT, signal.SIGTERM):  # in the background the first is ignored, by the tests that are started, too
+        signal.signal(one, signal.default_int_handler)
     names = [file for file in files() if options.files.search(file)]
     if options.untried:
         return say_what_is_untried(names)
@@ -349,7 +351,6 @@ def main():
         return name
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
         try:
             for mutant, name in zip(to_try, pool.map(timed_killer, to_try)):
                 killed[mutant.key()] = name
