@@ -151,7 +151,7 @@ def many_covers(vertices=24, covers=2500):
 
 def text(c):
     vertices, polygons = c.get("vertices", POINTS), c.get("polygons", [])
-    lines = ["circumspect-impossibility 2 plc-triangulation 3 " + c.get("kind", "hull"), "scale " + c["scale"],
+    lines = ["circumspect-impossibility 2 %s 3 %s" % (c.get("claim", "plc-triangulation"), c.get("kind", "hull")), "scale " + c["scale"],
              "vertices %d" % len(vertices), *(" ".join(map(str, p)) for p in vertices),
              "segments %d" % len(c["segments"]), *("%d %d" % (a + 1, b + 1) for a, b in c["segments"]),
              "holes %d" % len(c["holes"]), *c["holes"], "polygons %d" % len(polygons)]
@@ -164,6 +164,8 @@ def text(c):
 def files():
     yield "sound--impossible", text(SOUND), \
         "verified: no triangulation without Steiner points; domain: hull, 8 vertices, 2 segments"
+    yield "sound--impossible-cdt", text({**SOUND, "claim": "cdt"}), \
+        "verified: no CDT without Steiner points; domain: hull, 8 vertices, 2 segments"
 
     def mutant(name, section, place, line, answer):
         c = copy.deepcopy(SOUND)
