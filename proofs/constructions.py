@@ -30,13 +30,19 @@ def simplices(rows):
 
 
 def misread(verified, points):
-    """Where the file announces one point more or one less than it lists: how many, if this is not refused."""
-    header, *rows = [line for line in points.read_text().splitlines() if line and not line.startswith("#")]
+    """Which other file is not refused: one that announces a point more or less than it lists, has a point twice, or points that do not
+    span; nothing if all are."""
+    header, *rows = [line.split() for line in points.read_text().splitlines() if line and not line.startswith("#")]
+    first, d, count = int(rows[0][0]), int(header[1]), len(rows)
     other = points.with_name("other.node")
-    for count in (len(rows) - 1, len(rows) + 1):
-        other.write_text("\n".join([" ".join([str(count), *header.split()[1:]]), *rows]) + "\n")
-        if ran(verified, "build", "delaunay", other).returncode != 3:
-            return count
+    for announced, listed, message in (
+            (count - 1, rows, "expected the end of the file"), (count + 1, rows, "expected point"),
+            (count + 1, [*rows, [str(first + count), *rows[0][1:]]], f"found point {first} and point {first + count} in one place"),
+            (d, rows[:d], f"expected points that span the {'plane' if d == 2 else 'space'}, found {d} points that do not")):
+        other.write_text("\n".join(" ".join(row) for row in [[str(announced), *header[1:]], *listed]) + "\n")
+        run = ran(verified, "build", "delaunay", other)
+        if run.returncode != 3 or message not in run.stdout:
+            return f"{announced} points announced, {len(listed)} listed: {run.stdout}"
     return None
 
 
@@ -61,9 +67,9 @@ def main():
             if drawn.returncode != 0 or proved.returncode == 3 and "that do not" in proved.stdout:  # they lie in a plane
                 continue
             made += 1
-            announced = misread(asked.verified, points) if made == 1 else None
-            if announced is not None:
-                print(f"expected a refusal where {announced} points are announced, of\n{points.read_text()}", file=sys.stderr)
+            read = misread(asked.verified, points) if made == 1 else None
+            if read is not None:
+                print(f"expected a refusal, found {read}\nof a file like\n{points.read_text()}", file=sys.stderr)
                 return 1
             expected = simplices(proved.stdout)
             for algorithm in algorithms:
