@@ -46,6 +46,13 @@ def misread(verified, points):
     return None
 
 
+def decimals_are_doubles(verified, points):
+    """Whether --coordinates decimal is ignored: two points that are one double are two decimals."""
+    points.write_text("4 2\n0 0 0\n1 0.1 0\n2 0.10000000000000000001 0\n3 0 1\n")
+    codes = [ran(verified, "build", "delaunay", *options, points).returncode for options in ((), ("--coordinates", "decimal"))]
+    return codes != [3, 0]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("circumspect")
@@ -79,6 +86,9 @@ def main():
                           f"{asked.seed * 1000 + number}: {built.stderr}\n{points.read_text()}", file=sys.stderr)
                     return 1
                 compared += 1
+        if decimals_are_doubles(asked.verified, points):
+            print(f"expected two points with --coordinates decimal alone, of\n{points.read_text()}", file=sys.stderr)
+            return 1
     print(f"{made} point sets, {compared} triangulations by {len(algorithms)} algorithms: all are what is proved")
     return 0 if made >= asked.sets / 2 else 1
 
