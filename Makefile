@@ -141,6 +141,8 @@ proofs: deps-proofs
 
 # Those that `make test` leaves to the sanitizers too.
 ALL_TESTS := -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=OFF
+# Those that need what `deps-test` installs: a browser, and the ranks of MPI.
+BROWSER_AND_RANKS := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON
 
 # What a developer runs while working: style, and the tests of what has changed since the last green run.
 check: test-style
@@ -196,7 +198,7 @@ test-sanitize-beside:
 # The sanitizers' build links the release's archives of what handles
 # values alone. Clang compiles it in half the time when it does not optimize, which costs the tests less than that, and in a
 # sixth less without line numbers: a failure names functions, and `make soak-sanitize` their lines.
-SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=ON
+SETTINGS_release  := $(BROWSER_AND_RANKS) -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=ON
 SETTINGS_sanitize := -DCIRCUMSPECT_SANITIZE_ALL=OFF -DCIRCUMSPECT_VALUES_FROM=$(CURDIR)/build/release \
                      -DCMAKE_CXX_FLAGS_DEBUG="-O0 -D_GLIBCXX_ASSERTIONS"
 # Beside the release's tests, it is not to be configured twice at once.
@@ -223,20 +225,21 @@ soak: deps-test
 	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED) $(dir $(VERIFIED))answers
 	@$(CONFIGURE) --preset release -B build/shipped -DCIRCUMSPECT_BUILD_TESTS=OFF
 	@cmake --build build/shipped --target circumspect_cli -j $(JOBS)
-	@$(CONFIGURE) --preset release $(ALL_TESTS) -DCIRCUMSPECT_VERIFIED=$(VERIFIED) -DCIRCUMSPECT_SHIPPED=$(CURDIR)/build/shipped/bin/circumspect
+	@$(CONFIGURE) --preset release $(ALL_TESTS) $(BROWSER_AND_RANKS) -DCIRCUMSPECT_VERIFIED=$(VERIFIED) \
+	  -DCIRCUMSPECT_SHIPPED=$(CURDIR)/build/shipped/bin/circumspect
 	@cmake --build --preset release -j $(JOBS)
 	@properties/soak.py build/release $(MINUTES)
 
 # Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
 # Of which places nobody chose, and which tests notice them, says `mutants-generated` (docs/mutants.md), in Python and OCaml too: with CHANGED=1 of the
-# files that have changed since, with FILES=oracle/judge/voronoi of some; COUNT=100 tries so many.
+# files that have changed since, with FILES=oracle/judge/voronoi of some; COUNT=100 tries so many; REST=1 goes on where it was interrupted.
 mutants: deps-test
 	@python3 properties/mutants.py build/mutants
 
 mutants-generated: deps-test verified
 	@cmake/packages.sh mutants
 	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated $(if $(CHANGED),--changed) $(if $(FILES),--files $(FILES)) \
-	  $(if $(COUNT),--count $(COUNT))
+	  $(if $(COUNT),--count $(COUNT)) $(if $(REST),--rest)
 
 # The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, where the readers take many
 # times as many inputs a second; then what was kept, and some more, under the sanitizers.

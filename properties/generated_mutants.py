@@ -6,7 +6,8 @@
     generated_mutants.py WORK_FOLDER          makes them, compiles them, runs the tests; prints the table of docs/mutants.md,
                                               and one by operators; writes mutants_noticed.tsv, a row a file
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
-    generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
+    generated_mutants.py WORK_FOLDER --table     prints the table of the last time, and those that survive
+    ... --rest, or --again                    goes on from it: with those that it did not reach, or those that survived without a reason
     ... --count 3000 --seed 20260101          how many of all there are, and which
     ... --files PATTERN                       only those of files whose names match this
     ... --changed                             only those of files that have changed since, or were never tried
@@ -21,7 +22,7 @@ All mutants are compiled at once, as in mutants.py. First each test is run witho
 comes across; then each mutant is tried on these tests, until one fails, crashes or does not end. The tests that noticed most
 mutants of its file come first, of the others the quickest.
 A mutant that survives and is not in generated_mutants.tsv, with the reason why it changes no answer, is a failure; so is
-one that is in it and is killed. Ctrl-C ends it with the table of those that were tried.
+one that is in it and is killed. Ctrl-C ends it with the table of those that were tried; --rest tries the others.
 """
 import argparse
 import collections
@@ -307,6 +308,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=20)
     parser.add_argument("--untried", action="store_true")
     parser.add_argument("--again", action="store_true", help="only those that survived the last time without a reason")
+    parser.add_argument("--rest", action="store_true", help="only those that were not tried the last time")
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     for one in (signal.SIGINT, signal.SIGTERM):  # in the background the first is ignored, by the tests that are started, too
@@ -323,7 +325,8 @@ def main():
         parser.error("expected a folder to compile them in, such as build/mutants")
     work = options.work.resolve()
     results = work / "build/generated_mutants.json"
-    killed = {tuple(key): name for key, name in json.loads(results.read_text())} if options.again or options.table else {}
+    goes_on = options.again or options.rest or options.table
+    killed = {tuple(key): name for key, name in json.loads(results.read_text())} if goes_on else {}
     if options.table:
         print_table(killed, table)
         print("\n".join("\t".join(key) for key, name in killed.items() if name is None and key not in table))
@@ -336,6 +339,8 @@ def main():
     if options.sources:
         write_sources(work, tried, number(tried))
         return 0
+    if options.rest:
+        tried = [m for m in tried if m.key() not in killed]
     tried = [m for m in tried if options.only in "\t".join(m.key())]
     without_cpp = all(places_of(m.file) in OTHER_LANGUAGES.values() for m in tried)
     to_try = build(work, tried, FOR_OTHER_LANGUAGES if without_cpp and options.targets == ALL_TARGETS else options.targets)

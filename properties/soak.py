@@ -40,6 +40,8 @@ TOTALS = pathlib.Path(__file__).with_name("soak.tsv")
 HEADER = "# What all soaks did: test, runs, inputs, faults, seconds of the longest whole run"
 # Of the time that is left, what the programs of a round are told to take: they end a little late.
 SHARE = 0.9
+# How often it says what it has done so far: so many times, and at most once a minute.
+PROGRESS_LINES = 20
 # After so many times its share, and no fewer seconds, a program is cut off.
 PATIENCE = 3
 LEAST_PATIENCE = 2.0
@@ -114,7 +116,10 @@ class Soak:
         self.build = build
         self.processors = processors
         self.totals = totals
-        self.ends = time.monotonic() + seconds
+        self.begun = time.monotonic()
+        self.ends = self.begun + seconds
+        self.interval = min(60, seconds / PROGRESS_LINES)
+        self.ended = 0
         self.tests = tests_of(build)
         self.running = []
         self.failed = False
@@ -175,6 +180,7 @@ class Soak:
         output = run.log.read_text(errors="replace")
         inputs = [(int(a), int(b)) for a, b in re.findall(r"^inputs: (\d+) of (\d+)$", output, re.MULTILINE)]
         test.runs += 1
+        self.ended += 1
         test.seconds += seconds
         test.tried += sum(tried for tried, _ in inputs)
         test.asked += sum(asked for _, asked in inputs)
@@ -217,8 +223,17 @@ class Soak:
         self.running.remove(run)
         self.end(run, is_cut=not was_over)
 
+    def say_how_far(self):
+        done, whole = time.monotonic() - self.begun, self.ends - self.begun
+        running = ", ".join(run.test.name for run in self.running)
+        print(f"soak: {done / 60:.1f} of {whole / 60:g} minutes, {self.ended} runs; now {running}", flush=True)
+
     def go(self, folder):
+        says_at = self.begun + self.interval
         while self.left() > 0 and not self.failed:
+            if time.monotonic() >= says_at:
+                self.say_how_far()
+                says_at += self.interval
             if not self.waiting:
                 self.waiting = list(self.divisible)
             while self.waiting and self.has_room_for(self.waiting[0]):

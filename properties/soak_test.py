@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -59,6 +60,7 @@ def test_all_run_and_say_what_they_did(folder):
     assert " of " in row_of(done, "timed") and "inputs" in row_of(done, "timed")
     assert "1 run, 1 s" in row_of(done, "whole"), done.stdout
     assert "soak: nothing failed" in done.stdout
+    assert re.search(r"^soak: 0\.0 of 0\.06 minutes, \d+ runs; now .*timed", done.stdout, re.MULTILINE), done.stdout
     runs, inputs, faults, seconds = folder.totals()["timed"]
     assert runs >= 1 and 1 <= inputs <= 10 * runs and faults == 0 and seconds == 0
     assert folder.totals()["whole"] == [1, 0, 0, 1]
