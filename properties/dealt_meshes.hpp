@@ -15,7 +15,9 @@
 
 namespace circumspect::properties {
 
-enum class Way { kSlices, kRoundRobin, kAlongALine, kAllToOne, kSomeToNone };
+enum class Way { kSlices, kRoundRobin, kAlongALine, kAllToOne, kSomeToNone, kEndsApart };
+
+inline Way drawn_way(Dice& dice) { return static_cast<Way>(dice.below(6)); }
 
 // Which rank has which simplices, in which order. The same at all ranks.
 inline std::vector<std::vector<std::size_t>> dealt_places(const ArrayMesh& mesh, Way way,
@@ -58,6 +60,12 @@ inline std::vector<std::vector<std::size_t>> dealt_places(const ArrayMesh& mesh,
       shuffle(places, dice);
       break;
     }
+    case Way::
+        kEndsApart:  // those with whom the first and the last meet are elsewhere, with the sample
+      for (const std::size_t s : order) {
+        places[s == 0 ? ranks - 1 : s + 1 == mesh.size() ? ranks / 2 : 0].push_back(s);
+      }
+      break;
   }
   return places;
 }

@@ -131,7 +131,7 @@ TEST_CASE(
                         : has_weights      ? Claim::kWeightedDelaunay
                                            : Claim::kDelaunay;
     const check::Options options{.max_violations = dice.below(3) == 0 ? 2u : 20u};
-    check_agreement(claim, mesh, static_cast<Way>(dice.below(5)), dice, options);
+    check_agreement(claim, mesh, drawn_way(dice), dice, options);
   }
   if (world().is_first()) say_inputs(static_cast<int>(i), static_cast<int>(cases()));
   // Each of them, where there are enough meshes.
