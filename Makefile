@@ -219,7 +219,7 @@ soak-sanitize: deps-test
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset sanitize -j $(JOBS)
 
 # Every property and soak test on new random inputs, each for its share of MINUTES, and what cannot be
-# cut short if there is room for it; a failure ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.
+# cut short if there is room for it; a failure is printed with the command that repeats it. `ctest --preset soak` runs each soak test once instead.
 # What ships is optimized more than what `make test` tries: golden rows, certificates and forgeries are tried with it.
 soak: deps-test
 	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED) $(dir $(VERIFIED))answers

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A soak for as long as one likes: every property and every soak test, each on inputs that no run has seen before,
-until the minutes are over or one of them fails.
+until the minutes are over. One that fails is not run again; the others go on.
 
     properties/soak.py BUILD_FOLDER [MINUTES]        by default 30; `make soak` builds first
 
@@ -186,7 +186,7 @@ class Soak:
         test.asked += sum(asked for _, asked in inputs)
         why = ""
         if is_cut:
-            test.said = "cut off"
+            test.said = test.said or "cut off"
         elif code == test.skipped:
             test.said = "skipped"
         elif seconds > test.limit:
@@ -204,6 +204,8 @@ class Soak:
         if why:
             self.failed = True
             test.said = "FAILED"
+            self.divisible = [other for other in self.divisible if other is not test]
+            self.waiting = [other for other in self.waiting if other is not test]
             print(output)
             print(f"\nsoak: FAILED: {test.name}, {why}, seed {run.seed}")
             print(f"soak: again: CIRCUMSPECT_SOAK=1 RC_PARAMS=seed={run.seed} ctest --test-dir {shlex.quote(self.build)} "
@@ -230,7 +232,7 @@ class Soak:
 
     def go(self, folder):
         says_at = self.begun + self.interval
-        while self.left() > 0 and not self.failed:
+        while self.left() > 0:
             if time.monotonic() >= says_at:
                 self.say_how_far()
                 says_at += self.interval
