@@ -181,6 +181,11 @@ TEST_CASE("meshes that hold, by all claims") {
        {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt, Claim::kSteinerCdt}) {
     CHECK(is_seen(claim, mesh, every_facet));
   }
+  const ExactMesh with_centre = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  const Domain cube = domain_of_facets(with_centre, [](std::size_t uses) { return uses == 1; });
+  CHECK(is_seen(Claim::kSteinerCdt, with_centre, cube));
+  CHECK(!is_seen(Claim::kCdt, with_centre, cube));  // one Steiner point
+  CHECK(!is_seen(Claim::kPlcTriangulation, with_centre, cube));
   // What is listed beside.
   ExactMesh listed = mesh;
   const Simplex wall = facet_uses(mesh.simplices).front().facet;
