@@ -75,9 +75,11 @@ TEST_CASE("lemma and definition report the same uniqueness and canonicity") {
       const PointSet points = breakable_set(d, 10);
       const Mutant mutant = *alteration(delaunay::bowyer_watson(points).simplices(), points.size());
       const ExactMesh mesh{points, mutant.simplices};
-      const Verdict by_lemma = check::judge_points(Claim::kDelaunay, mesh);
-      const Verdict by_definition =
-          check::judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = check::By::kDefinition});
+      check::Options options{.oriented = *rc::gen::inRange(0, 4) == 0};
+      const Verdict by_lemma = check::judge_points(Claim::kDelaunay, mesh, options);
+      options.by = check::By::kDefinition;
+      const Verdict by_definition = check::judge_exactly(Claim::kDelaunay, mesh, nullptr, options);
+      RC_ASSERT(by_lemma.holds() == by_definition.holds());
       RC_ASSERT(by_lemma.unique == by_definition.unique);
       RC_ASSERT(by_lemma.canonical == by_definition.canonical);
       not_canonical += by_lemma.canonical == false ? 1u : 0u;

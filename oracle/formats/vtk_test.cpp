@@ -190,17 +190,23 @@ TEST_CASE("vtu: numbers in attributes have blanks around, as VTK reads them") {
 }
 
 TEST_CASE("vtp: surfaces") {
-  const auto file =
-      xml(document("<Piece NumberOfPoints=\"3\" NumberOfVerts=\"0\" NumberOfLines=\"1\" "
-                   "NumberOfPolys=\"1\">\n<Points>\n" +
-                       array("p", "Float64", kThree) + "</Points>\n<Lines>\n" +
-                       array("connectivity", "Int64", "0 2") + array("offsets", "Int64", "2") +
-                       "</Lines>\n<Polys>\n" + array("connectivity", "Int64", "2 1 0") +
-                       array("offsets", "Int64", "3") + "</Polys>\n</Piece>\n",
-                   "PolyData"));
+  const auto surface = [](const std::string& line) {
+    return xml(
+        document("<Piece NumberOfPoints=\"3\" NumberOfVerts=\"0\" NumberOfLines=\"1\" "
+                 "NumberOfPolys=\"1\">\n<Points>\n" +
+                     array("p", "Float64", kThree) + "</Points>\n<Lines>\n" +
+                     array("connectivity", "Int64", line) + array("offsets", "Int64", "2") +
+                     "</Lines>\n<Polys>\n" + array("connectivity", "Int64", "2 1 0") +
+                     array("offsets", "Int64", "3") + "</Polys>\n</Piece>\n",
+                 "PolyData"));
+  };
+  const auto file = surface("0 2");
   REQUIRE_MESSAGE(file, error_of(file));
   CHECK(file->edges.simplices == std::vector<Simplex>{{0, 2}});
   CHECK(file->triangles.simplices == std::vector<Simplex>{{2, 1, 0}});
+  for (const char* const slip : {"0", "0 x", "0 2 1"}) {
+    CHECK(error_of(surface(slip)).starts_with("f:"));
+  }
 }
 
 TEST_CASE("vtu: what is refused") {

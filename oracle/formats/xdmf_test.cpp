@@ -221,6 +221,12 @@ TEST_CASE("xdmf: a mesh whose numbers are in HDF5 or in bytes beside it") {
   const auto bytes = mesh_of(kTextPoints, "Tetrahedron", item("1 4", "cells.bin", "Binary"));
   REQUIRE_MESSAGE(bytes, error_of(bytes));
   CHECK(bytes->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  for (const std::size_t size : {12, 15, 17, 20}) {
+    folder.write("other.bin", std::string(size, '\0'));
+    CHECK(error_of(mesh_of(kTextPoints, "Tetrahedron", item("1 4", "other.bin", "Binary")))
+              .find("expected 4 numbers of 4 bytes in \"other.bin\", found " +
+                    std::to_string(size) + " bytes") != std::string::npos);
+  }
   for (const char* const dimensions : {"1 3", "1 5"}) {
     CHECK(error_of(mesh_of(kTextPoints, "Tetrahedron", item(dimensions, "cells.bin", "Binary")))
               .find(":6: expected") != std::string::npos);

@@ -20,9 +20,11 @@ namespace {
 
 using generators::Dice;
 
-// Triangles or tetrahedra on a small grid, or on one of numbers that are rounded.
+// Segments of a line, triangles or tetrahedra on a small grid, or on one of numbers that are
+// rounded.
 Mesh drawn_mesh(Dice& dice) {
-  const std::size_t space = dice.below(2) + 2, size = space == 2 ? 3 : 3 + dice.below(2);
+  const std::size_t space = dice.below(8) == 0 ? 1 : dice.below(2) + 2;
+  const std::size_t size = space == 3 ? 3 + dice.below(2) : space + 1;
   const bool is_rounded = dice.below(2) == 0;
   std::vector<Point> points;
   for (std::size_t i = 0; i < 7; ++i) {
@@ -308,6 +310,8 @@ TEST_CASE("sizes are exact where they are rational, and correctly rounded elsewh
       listed_mesh({{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 9}});
   CHECK(size_of(square).exact == Rational(3));
   CHECK(size_of_boundary(square).decimal == "8");
+  const Mesh steps = listed_mesh({{0}, {1}, {4}, {Rational(9, 2)}}, {{0, 1}, {2, 1}, {2, 3}});
+  CHECK(size_of(steps).exact == Rational(9, 2));
 }
 
 }  // namespace
