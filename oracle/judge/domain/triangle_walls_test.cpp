@@ -126,6 +126,41 @@ TEST_CASE("what else belongs to a domain is left to the exact checkers") {
   CHECK(same(changed));
 }
 
+// Every point is in a triangle, so nothing but what is wrong tells that this is no complex of them.
+TEST_CASE("an octahedron with a diagonal, a vertex that is none, or two polygons in one") {
+  PiecewiseLinearInput octahedron;
+  octahedron.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const Vertex x : {0, 1}) {
+    for (const Vertex y : {2, 3}) {
+      for (const Vertex z : {4, 5}) octahedron.polygons.push_back({{{x, y, z}}, {}});
+    }
+  }
+  const auto same = [&](const auto& change) {
+    PiecewiseLinearInput changed = octahedron;
+    change(changed);
+    const auto slow = validated(changed);
+    const auto quick = validated_domain(changed);
+    return slow ? quick && are_equal(*quick, *slow) : !quick && quick.error() == slow.error();
+  };
+  CHECK(same([](auto&) {}));
+  for (const Simplex& segment : {Simplex{0, 2}, {0, 1}, {0, 6}, {-1, 0}, {0}, {0, 2, 4}, {0, 0}}) {
+    CAPTURE(segment);
+    CHECK(same([&](auto& changed) { changed.segments = {segment}; }));
+  }
+  for (const Vertex v : {-1, 6}) {
+    CHECK(same([&](auto& changed) { changed.polygons[3].lines[0][1] = v; }));
+  }
+  CHECK(same([](auto& changed) { changed.polygons[3].lines[0].pop_back(); }));
+  CHECK(same([](auto& changed) { changed.polygons[3].hole_seeds = {{0, 0, 0}}; }));
+  // The upper half as it was, and the middle as one polygon of four corners.
+  CHECK(same([](auto& changed) {
+    std::erase_if(changed.polygons, [](const auto& one) { return one.lines[0][2] == 5; });
+    changed.points.pop_back();
+    changed.polygons.push_back({{{0, 2, 1, 3}}, {}});
+  }));
+  CHECK(same([](auto& changed) { changed.points[5] = changed.points[4]; }));
+}
+
 TEST_CASE("triangles that all share a vertex are too many to hold against each other") {
   PiecewiseLinearInput fan;
   constexpr int kCount = 1500;
