@@ -199,6 +199,8 @@ TEST_CASE("abaqus: faults and their lines") {
   CHECK(abaqus_error("1, 0, 0, 0\n") == "f:1: expected a keyword, as *Node, found \"1, 0, 0, 0\"");
   CHECK(abaqus_error("*Node\n1, 0, 0, 0\n") ==
         "f:2: expected the keyword *Element, found the end of the file");
+  CHECK(abaqus_error("*Element, type=C3D4\n1, 1, 2, 3, 4\n") ==
+        "f:2: expected the keyword *Node, found the end of the file");
   CHECK(abaqus_error("*Node\nx, 0, 0, 0\n") ==
         "f:2: expected the tag of a node, an integer of 64 bits, found \"x\"");
   CHECK(abaqus_error("*Node\n1, 0, y, 0\n") == "f:2: expected a finite number, found \"y\"");

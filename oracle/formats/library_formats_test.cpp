@@ -101,6 +101,22 @@ TEST_CASE("mfem: coordinates of vertices, attributes, boundary") {
                              "f: elements of higher order (H1_3D_P2) are judged by their corners"});
 }
 
+TEST_CASE("mfem: nodes of two coordinates, and of no other number than two or three") {
+  const auto with_dimension = [](const std::string& dimension) {
+    return "MFEM mesh v1.0\n\ndimension\n2\n\nelements\n1\n7 2 0 1 2\n\nboundary\n0\n\n"
+           "vertices\n3\n\nnodes\nFiniteElementSpace\nFiniteElementCollection: H1_2D_P1\nVDim: " +
+           dimension + "\nOrdering: 1\n\n0 0\n1 0\n0 0.1\n";
+  };
+  const auto file = read_mfem(named(with_dimension("2")), kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points == std::vector<Point>{{0, 0}, {1, 0}, {0, exact_value(0.1)}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  for (const std::string dimension : {"1", "4", "x"}) {
+    CHECK(mfem_error(with_dimension(dimension)) ==
+          "f:19: expected a dimension, 2 or 3, found \"" + dimension + "\"");
+  }
+}
+
 TEST_CASE("mfem: a set of attributes has a name, in quotes or not, and goes on over lines") {
   const std::string sets =
       "attribute_sets\n4\nWest 1 9\n\"N Even\" 1 10\n\"Rose\" 4 10 11   "

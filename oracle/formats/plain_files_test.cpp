@@ -260,4 +260,16 @@ TEST_CASE("files: regular ones alone, and only as long as they last") {
   CHECK(!in_memory("ab").read(3, 0, &byte));
 }
 
+TEST_CASE("ele: attributes may say how a lattice moves each corner") {
+  const auto rows =
+      read_ele_offsets({"f", "2 3 6\n0 0 1 2 0 0 1 0 0 -1\n1 1 2 0 0 0 0 0 7 7\n"}, 2);
+  REQUIRE_MESSAGE(rows, error_of(rows));
+  CHECK(*rows == std::vector<Simplex>{{0, 0, 1, 0, 0, -1}, {0, 0, 0, 0, 7, 7}});
+  CHECK(error_of(read_ele_offsets({"f", "1 3 5\n0 0 1 2 0 0 1 0 0\n"}, 2))
+            .starts_with("f:1: expected 6 attributes of each cell"));
+  CHECK(error_of(read_ele_offsets({"f", "1 3 6\n0 0 1 2 0 0 1 0 0 x\n"}, 2))
+            .starts_with("f:2: expected an integer"));
+  CHECK(error_of(read_ele_offsets({"f", "2 3 6\n0 0 1 2 0 0 1 0 0 1\n"}, 2)).starts_with("f:2: "));
+}
+
 }  // namespace circumspect::formats

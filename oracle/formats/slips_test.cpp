@@ -334,6 +334,8 @@ TEST_CASE("voronoi: a vertex has as many numbers as there are axes") {
   };
   CHECK(said("0.5\n") == "f:5: expected vertex 2 with 2 coordinates, found 1 numbers");
   CHECK(said("0.5 1 2\n") == "f:5: expected vertex 2 with 2 coordinates alone, found \"2\"");
+  CHECK(error_of(read_voronoi(named("2\n3\n"), kDouble)) ==
+        "f:2: expected a line \"vertices cells 1\", found 1 numbers");
 }
 
 TEST_CASE("a text that is cut off before a number is refused, or changes nothing") {

@@ -181,6 +181,10 @@ TEST_CASE("vtu: numbers in attributes have blanks around, as VTK reads them") {
   const WrittenMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const std::string appended = vtu(mesh, {VtuForm::Place::kAppendedRaw});
   CHECK(xml(with(appended, "offset=\"0\"", "offset=\" 0 \"")));
+  CHECK(error_of(xml(with(appended, "offset=\"0\"", "offset=\"x\""))).find("expected offset=") !=
+        std::string::npos);
+  CHECK(error_of(xml(with(appended, "offset=\"0\"", ""))).find("expected offset=") !=
+        std::string::npos);
   CHECK(error_of(xml(with(one, "Points=\"3\"", "Points=\"1 3\""))) ==
         "f:3: expected NumberOfPoints=\"N\", an integer, 0 or more, found \"1 3\"");
   CHECK(error_of(xml(with(one, "Points=\"3\"", "Points=\"  \""))) ==

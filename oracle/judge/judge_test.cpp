@@ -14,7 +14,10 @@
 
 #include "kernel/complex/by_facet.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "oracle/judge/default_claim.hpp"
+#include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
+#include "oracle/judge/fault_of_claim.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
@@ -325,6 +328,37 @@ TEST_CASE("equal points are an error, or count as one, and then the fast engine 
   CHECK(mesh.listed(mesh.simplices[1], 1) == Simplex{1, 3, 4});
   Mesh thirds = square_with({Rational(1) / 3, 7});
   CHECK(judge(Claim::kDelaunay, thirds).has_value());
+}
+
+TEST_CASE("where nobody names a claim, the points of the mesh and of the domain decide") {
+  PiecewiseLinearInput input;
+  input.points = kSquare.points();
+  input.segments = {{0, 1}, {1, 3}, {2, 3}, {0, 2}};
+  const Domain domain = domain_of(input);
+  const auto claim_of = [&](const std::vector<Point>& points, bool are_moved) {
+    return default_claim(in_rows({PointSet(points), {{0, 1, 2}, {1, 3, 2}}}), &domain, are_moved);
+  };
+  std::vector<Point> points = kSquare.points();
+  CHECK(default_claim(in_rows({kSquare, {{0, 1, 2}}}), nullptr) == Claim::kDelaunay);
+  std::swap(points[0], points[3]);
+  CHECK(claim_of(points, false) == Claim::kCdt);
+  CHECK(claim_of(points, true) == Claim::kCdt);
+  points[0] = {1, 2};
+  CHECK(claim_of(points, false) == Claim::kSteinerCdt);
+  CHECK(claim_of(points, true) == Claim::kCdt);
+  points.push_back({5, 5});
+  CHECK(claim_of(points, false) == Claim::kSteinerCdt);
+  CHECK(claim_of(points, true) == Claim::kSteinerCdt);
+  points.resize(3);
+  CHECK(claim_of(points, true) == Claim::kSteinerCdt);
+}
+
+TEST_CASE("only a mesh that a lattice repeats can be asked for the claim periodic-delaunay") {
+  Mesh mesh = in_rows({kSquare, {{0, 1, 2}}});
+  CHECK(fault_of_claim(Claim::kPeriodicDelaunay, mesh, {}).starts_with("expected a mesh that a "));
+  mesh.copies.emplace();
+  CHECK(fault_of_claim(Claim::kPeriodicDelaunay, mesh, {}).empty());
+  CHECK(fault_of_claim(Claim::kDelaunay, mesh, {}).empty());
 }
 
 }  // namespace circumspect::check
