@@ -272,6 +272,23 @@ TEST_CASE("within: cells that the distance does not tell apart are no matter of 
   CHECK(both_answers(moved_by(5, 1)) == "holds 1");
 }
 
+TEST_CASE("within: of several cells that are near each other the nearest count") {
+  // A short segment, one of whose ends has moved by 2 bits, and a lone vertex near another segment.
+  const auto answer = [](long length, long height) {
+    PiecewiseLinearInput input = cuboid({0, 0}, {4, 4});
+    input.points.insert(input.points.end(), {{2 + bits(length), 0}, {2, 0}, {1, bits(height)}});
+    input.segments = {{0, 5}, {5, 4}, {4, 1}, {1, 2}, {2, 3}, {0, 3}};
+    std::vector<Point> points = input.points;
+    points[4] = {2 + bits(length), bits(2)};
+    const std::vector<Simplex> mesh = {{0, 5, 6}, {0, 6, 3}, {6, 5, 3},
+                                       {3, 5, 4}, {3, 4, 2}, {4, 1, 2}};
+    return both_answers({{PointSet(points), mesh}, domain_of(input)});
+  };
+  CHECK(answer(7, 7) == "holds 2");
+  CHECK(answer(5, 7) == "not judged");
+  CHECK(answer(7, 5) == "not judged");
+}
+
 TEST_CASE("within: a vertex across a wall that is nearer than three distances") {
   // A lone vertex 2 bits inside; in the mesh it is outside.
   PiecewiseLinearInput input = cuboid({0, 0}, {4, 4});
