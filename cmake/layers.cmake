@@ -152,6 +152,9 @@ function(circumspect_precompile target kind)
     endif()
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
+  if(CIRCUMSPECT_BUILD_TESTS AND NOT kind MATCHES "^(untimed_)?layers$")  # as above
+    target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
+  endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
   circumspect_compile_as(${target} ${kind})
   # Flags have to agree: what is shared is position-independent as a library is, not as a program

@@ -96,7 +96,7 @@ TEST_CASE("regions are what can be reached without crossing a wall (Section 4.5.
 
 // Where a segment meets a wall, and how.
 struct Met {
-  std::optional<Point> at;       // one of the points
+  std::optional<Point> at = {};  // one of the points
   bool is_crossing = false;      // in the interior of the wall, from one side to the other
   bool is_in_its_plane = false;  // is the segment?
 };

@@ -143,7 +143,8 @@ TEST_CASE("levels: however vertices are numbered, the next wall outwards leads o
   for (const auto& segments : {triangle_in_three, notch_in_two}) {
     Simplex number = {0, 1, 2, 3};
     do {
-      PiecewiseLinearInput input{.points = std::vector<Point>(4)};
+      PiecewiseLinearInput input;
+      input.points.resize(4);
       for (std::size_t v = 0; v < 4; ++v) {
         input.points[static_cast<std::size_t>(number[v])] = points[v];
       }

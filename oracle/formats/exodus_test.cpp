@@ -128,6 +128,13 @@ TEST_CASE("exodus: the axes in one array, in the plane, and indices of 8 bytes")
   CHECK(plane->triangles.labels == std::vector<Vertex>{1});
 }
 
+TEST_CASE("exodus: a node is an integer") {
+  WrittenNetcdf file = tetrahedron_and_triangle();
+  file.variables[4] = {"connect1", {1, 2}, "TETRA4", 6, doubles({1, 2, 3.5, 4})};
+  CHECK(exodus_error(file) ==
+        "f: expected a node of tetrahedron, an integer, found floating-point numbers");
+}
+
 TEST_CASE("exodus: what elements are, by their type and how many nodes they have") {
   const auto shape = [](const char* type, std::size_t nodes) {
     WrittenNetcdf file = tetrahedron_and_triangle();

@@ -40,6 +40,18 @@ TEST_CASE("meshb: points, cells and references, in every version and byte order"
   }
 }
 
+TEST_CASE("meshb: the plane, and no other dimension than two or three") {
+  const auto plane = read_bytes(meshb({{{0, 0}, {1, 0}, {0, 0.5}}, {{0, 1, 2}}}, kBigEndian, 2));
+  REQUIRE_MESSAGE(plane, error_of(plane));
+  CHECK(plane->points.dimension == 2);
+  CHECK(plane->points.points.points() == std::vector<Point>{{0, 0}, {1, 0}, {0, Rational(1, 2)}});
+  CHECK(plane->triangles.simplices[0] == Simplex{1, 2, 3});
+  CHECK(error_of(read_bytes(meshb({{{0}, {1}}, {{0, 1}}}, kBigEndian, 2))) ==
+        "f: expected dimension 2 or 3, found 1");
+  CHECK(error_of(read_bytes(meshb({{{0, 0, 0, 0}}, {}}, kBigEndian, 2))) ==
+        "f: expected dimension 2 or 3, found 4");
+}
+
 TEST_CASE("meshb: an end without the section End is noted") {
   const std::string whole = meshb(kTetrahedron, kLittleEndian, 2);
   const std::string without = whole.substr(0, whole.size() - 8);

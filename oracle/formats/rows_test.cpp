@@ -19,6 +19,10 @@ TEST_CASE("runs: any integers, in memory for each change alone") {
   for (std::size_t i = 0; i < values.size(); ++i) CHECK(runs[i] == values[i]);
   CHECK(runs.front() == 5);
   CHECK(runs.back() == 0);
+  runs.clear();
+  CHECK(runs.empty());
+  runs.push_back(4);
+  CHECK(runs == std::vector<Vertex>{4});
   const Runs<Vertex> extremes = {std::numeric_limits<Vertex>::max(),
                                  std::numeric_limits<Vertex>::min(), 0};
   CHECK(extremes == std::vector<Vertex>{std::numeric_limits<Vertex>::max(),

@@ -28,7 +28,7 @@ inline std::string meshb(const WrittenMesh& mesh, ByteOrder order, std::size_t v
     const std::size_t end = text.size() + 4 + place + content.size();
     text += stored(code, 4, order) + stored(end, place, order) + content;
   };
-  section(3, stored(3, 4, order));
+  section(3, stored(mesh.points.front().size(), 4, order));
   std::string points = stored(mesh.points.size(), integer, order);
   for (const auto& point : mesh.points) {
     for (const double x : point) {

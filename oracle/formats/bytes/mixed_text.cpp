@@ -122,6 +122,9 @@ Result<Rational> MixedText::number(NumberType type, const Item& item) {
 
 Result<Vertex> MixedText::integer(NumberType type, const Item& item) {
   if (is_binary()) {
+    if (type.kind == NumberType::Kind::kFloating) {
+      return fail(item.words() + ", an integer", "floating-point numbers");
+    }
     const std::optional<std::uint64_t> stored = bits(type.size);
     if (!stored) return fail(item.words(), "the end of the data");
     if (type.kind == NumberType::Kind::kSigned) return as_signed(*stored, type.size);
@@ -168,8 +171,8 @@ Status MixedText::skip_numbers(NumberType type, std::size_t count, const Item& i
 Vertex MixedText::take_slowly(NumberType type, const Item& item) {
   if (failure_) return 0;
   // The usual indices of binary files.
-  const bool is_64 = type.size == 8;
-  if (binary_ && (is_64 || type.size == 4) && type.size <= bytes_left()) {
+  const bool is_64 = type.size == 8, is_integer = type.kind != NumberType::Kind::kFloating;
+  if (binary_ && is_integer && (is_64 || type.size == 4) && type.size <= bytes_left()) {
     const char* const from = text_.data() + at_;
     const bool swapped = is_swapped(*binary_);
     const Vertex value = is_64 ? stored_number<std::int64_t>(from, swapped)
