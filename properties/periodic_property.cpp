@@ -219,10 +219,15 @@ void break_once(Dice& dice, ListedMesh& mesh) {
     case 5:  // what was Delaunay is sheared
       mesh.how.lattice[0][d - 1] += dice.within(1L, 4L);
       return;
-    case 6:
+    case 6: {  // a point that no cell names, the first or the last
       mesh.points.push_back(Rational(1, 3) * mesh.points[0]);
       mesh.points.back()[0] += Rational(1, 7);
+      if (dice.below(2) == 0) return;
+      const auto last = static_cast<Vertex>(mesh.points.size() - 1);
+      std::swap(mesh.points.front(), mesh.points.back());
+      for (Simplex& cell : mesh.cells) std::replace(cell.begin(), cell.end(), Vertex{0}, last);
       return;
+    }
     case 7: {  // it is turned over
       Simplex& row = mesh.how.offsets[c];
       const auto first = row.begin(), second = first + static_cast<std::ptrdiff_t>(d);

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/judge/definition/convex_hull.hpp"
+
 namespace circumspect::check {
 namespace {
 
@@ -62,6 +64,15 @@ TEST_CASE("what is missing is named by where it begins, and all of it if nothing
 TEST_CASE("a point that was left out lies beyond the facets that it should have been in") {
   CHECK(broken({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {9, 2}}, cycle({0, 1, 2, 3})) ==
         Tallies{{Rule::kFacetNotSupporting, 1}});
+}
+
+TEST_CASE("a facet that does not support has the first point on each of its sides for a witness") {
+  const PointSet points({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}});
+  CHECK(definition::on_both_sides(points, {0, 2}) == Simplex{1, 3});
+  CHECK(definition::on_both_sides(points, {2, 0}) == Simplex{1, 3});
+  CHECK(definition::on_both_sides(points, {4, 1}) == Simplex{0, 2});
+  CHECK(!definition::on_both_sides(points, {0, 1}));
+  CHECK(!definition::on_both_sides(points, {3, 2}));
 }
 
 TEST_CASE("a set that lies in a plane has a hull there") {

@@ -41,6 +41,22 @@ TEST_CASE("each simplex by itself") {
   CHECK(with({0, 1, 1}) == Broken{{Rule::kRepeatedVertex, 1}});
   CHECK(with({0, 1, 2}) == Broken{{Rule::kDegenerateSimplex, 1}});
   CHECK(with({3, 1, 0}) == Broken{{Rule::kDuplicateSimplex, 1}});
+  const auto said_of = [&](const Simplex& another) {
+    std::vector<Simplex> simplices = good;
+    simplices.push_back(another);
+    const Verdict verdict = judge(claim, {points, simplices}, 0);
+    REQUIRE(verdict.violations().size() == 1);
+    const Witness& witness = verdict.violations()[0].witness;
+    CHECK(witness.places == std::vector<std::size_t>{2});
+    CHECK(witness.simplices == std::vector<Simplex>{another});
+    std::string said;
+    for (const NamedValue& value : witness.values) said += value.name + " " + value.value.get_str() + ";";
+    return said;
+  };
+  CHECK(said_of({0, 3}) == "vertices 2;vertices expected 3;");
+  CHECK(said_of({0, 1, 2}) == "orientation determinant 0;");
+  CHECK(said_of({0, 1, 1}) == "");
+  CHECK(said_of({0, 1, 4}) == "");
   const Verdict twice = judge(claim, {points, {{0, 1, 3}, {1, 2, 3}, {3, 0, 1}, {0, 3, 1}}}, 0);
   REQUIRE(twice.violations().size() == 2);
   CHECK(twice.violations()[0].witness.places == std::vector<std::size_t>{0, 2});
