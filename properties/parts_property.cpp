@@ -354,8 +354,8 @@ TEST_CASE("a simplex within another one is covered twice, though each part has b
 }
 
 // A small simplex among points that are far away: nothing but its facets tells that it is there
-// twice, and whoever looks at them. The numbers of the points decide who does. They are so many that
-// the parts stay as they were dealt.
+// twice, and whoever looks at them. The numbers of the points decide who does. The points are so
+// many that the parts stay as they were dealt.
 TEST_CASE("a simplex that is listed again, by a part of its own, is told as in the whole") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
