@@ -38,5 +38,15 @@ TEST_CASE("listed faces of any size and with any indices break the rules of the 
   CHECK(seen.size() == 4);
 }
 
+TEST_CASE("two edges that pass over vertices are two faults, though they have an end in common") {
+  PiecewiseLinearInput triangle;
+  triangle.points = {{0, 0}, {4, 0}, {2, 4}};
+  triangle.segments = {{0, 1}, {1, 2}, {0, 2}};
+  const PointSet five({{0, 0}, {4, 0}, {2, 4}, {1, 2}, {3, 2}});
+  const ExactMesh whole{five, {{0, 1, 2}}, {}, 0, {}, {{0, 3}, {2, 3}, {1, 4}, {2, 4}}};
+  const Verdict verdict = judge_domain(Claim::kSteinerTriangulation, whole, domain_of(triangle));
+  CHECK(verdict.tallies().at(Rule::kVertexInEdge).count == 2);
+}
+
 }  // namespace
 }  // namespace circumspect::check
