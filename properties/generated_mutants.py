@@ -201,7 +201,8 @@ def read_noticed():
 
 
 def write_noticed(killed, table, seconds):
-    """The rows of the files that were tried are new, and those of files that are gone are left out. `seconds`: of each mutant."""
+    """The rows of the files that were tried are new, and those of files that are gone are left out. `seconds`: of each mutant that
+    was tried this time. A file of which others were tried before keeps its digest, and what they took."""
     rows = {file: row for file, row in read_noticed().items() if (ROOT / file).is_file()}
     for file in {key[0] for key in killed}:
         names = [(key, name) for key, name in killed.items() if key[0] == file]
@@ -209,7 +210,9 @@ def write_noticed(killed, table, seconds):
         most = collections.Counter(name for _, name in names if name).most_common(1)
         dead = sum(name is not None for _, name in names)
         took = sum(seconds.get(key, 0) for key, _ in names)
-        rows[file] = [digest(file), *map(str, (len(names), dead, same, len(names) - dead - same, round(took))),
+        before = rows.get(file) if any(key not in seconds for key, _ in names) else None
+        took += int(before[5]) if before else 0
+        rows[file] = [before[0] if before else digest(file), *map(str, (len(names), dead, same, len(names) - dead - same, round(took))),
                       most[0][0] if most else "-"]
     lines = ["# generated_mutants.py writes this: a file and its digest when its mutants were tried, how many, how many of them were",
              "# noticed, change no answer, survive; how many seconds the tests took; and the test that noticed most."]
