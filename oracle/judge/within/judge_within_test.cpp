@@ -274,6 +274,22 @@ TEST_CASE("within: holes and regions keep the side that they had") {
   CHECK(both_answers(ring) == "fails domain.outside");
 }
 
+TEST_CASE("within: a cave keeps its inside, whichever of its corners has moved") {
+  const std::vector<int> ticks = {0, 4, 8, 12};
+  const auto keep = [](std::size_t i, std::size_t j, std::size_t k) {
+    return i != 1 || j != 1 || k != 1;
+  };
+  PiecewiseLinearInput input = cells_domain(ticks, ticks, ticks, keep);
+  input.hole_seeds = {{6, 6, 6}};
+  const MovedMesh shell = {grid(ticks, ticks, ticks, keep), domain_of(input)};
+  const ExactMesh filled = grid(ticks, ticks, ticks, every_cell);
+  for (const Point& corner : {Point{4, 4, 4}, {8, 4, 8}, {8, 8, 8}}) {
+    CHECK(answer({moved_vertex(shell.mesh, corner, {bits(2), 0, 0}), shell.domain}) == "holds 2");
+    CHECK(answer({moved_vertex(filled, corner, {0, 0, bits(2)}), shell.domain}) ==
+          "fails domain.outside");
+  }
+}
+
 TEST_CASE("within: a convex hull whose faces nobody lists") {
   PiecewiseLinearInput input = cuboid({0, 0, 0}, {4, 4, 4});
   input.kind = DomainKind::kHull;
