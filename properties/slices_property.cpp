@@ -277,5 +277,25 @@ TEST_CASE("slices: a file of other columns, and one too many, are errors") {
       "mesh-3.npy", "no more parts than ranks, found one more");
 }
 
+TEST_CASE("slices: files without points and simplices hold no mesh, in one file or in parts") {
+  Dice dice(1);
+  Whole nothing(dice);
+  nothing.count = 0;
+  nothing.points.clear();
+  nothing.simplices.clear();
+  const SlicesInFolder folder;
+  folder.write(nothing.in_parts(dice, 2), nothing.dimension);
+  write_npy(folder.in("mesh.npy"), "<i8", nothing.simplices, nothing.dimension + 1);
+  write_npy(folder.in("points.npy"), "<f8", nothing.points, nothing.dimension);
+  const distributed::Files whole = {.mesh = folder.in("mesh.npy"),
+                                    .points = folder.in("points.npy")};
+  for (const distributed::Files& files : {folder.files(), whole}) {
+    const Read read = read_in_turns(files, 2, nothing);
+    REQUIRE(read.faults.size() == 1);
+    has(*read.faults.begin(), files.mesh.substr(files.mesh.rfind('/') + 1),
+        "a mesh, found neither points nor simplices");
+  }
+}
+
 }  // namespace
 }  // namespace circumspect::properties
