@@ -367,7 +367,7 @@ def main():
                 results.write_text(json.dumps(list(killed.items())))
         except KeyboardInterrupt:  # what was tried so far is as random as the whole
             pool.shutdown(wait=False, cancel_futures=True)
-            print(f"interrupted: {len(killed)} of {len(to_try)} mutants were tried", flush=True)
+            print(f"interrupted: {len(seconds)} of {len(to_try)} mutants were tried", flush=True)
     if not options.only:
         write_noticed(killed, table, seconds)
     print_table(killed, table)
