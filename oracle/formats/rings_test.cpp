@@ -183,6 +183,9 @@ TEST_CASE("rings: the content tells them from other formats") {
   CHECK(told(kWkt) == ".wkt");
   CHECK(told("srid=1; polygon z ((0 0 0))") == ".wkt");
   CHECK(told("pointz (0 0 0)") == ".wkt");
+  CHECK(told("POINTZ (0 0 0)") == ".wkt");
+  CHECK(told("POINTM (0 0 0)") == ".wkt");
+  CHECK(told("POINTX (0 0 0)") == "none");
   CHECK(told(kGeoJson) == ".geojson");
   CHECK(told("[[[0, 0]]]") == ".geojson");
   CHECK(told("POINTS 3") == "none");

@@ -334,6 +334,13 @@ TEST_CASE("voronoi: a vertex has as many numbers as there are axes") {
   };
   CHECK(said("0.5\n") == "f:5: expected vertex 2 with 2 coordinates, found 1 numbers");
   CHECK(said("0.5 1 2\n") == "f:5: expected vertex 2 with 2 coordinates alone, found \"2\"");
+  const auto file =
+      read_voronoi(named("2\n3 2 1\n-10.101 -10.101\n0.5 0.5\n2 1\n2 1 2\n3 0 2 1\n"), kDouble);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->vertices == std::vector<Point>{{Rational(1, 2), Rational(1, 2)}, {2, 1}});
+  REQUIRE(file->cells.size() == 2);
+  CHECK(file->cells[0].corners == Simplex{0, 1});
+  CHECK(file->cells[1].corners == Simplex{1, 0});
   CHECK(error_of(read_voronoi(named("2\n3\n"), kDouble)) ==
         "f:2: expected a line \"vertices cells 1\", found 1 numbers");
 }
