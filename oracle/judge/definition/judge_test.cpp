@@ -50,7 +50,8 @@ TEST_CASE("each simplex by itself") {
     CHECK(witness.places == std::vector<std::size_t>{2});
     CHECK(witness.simplices == std::vector<Simplex>{another});
     std::string said;
-    for (const NamedValue& value : witness.values) said += value.name + " " + value.value.get_str() + ";";
+    for (const NamedValue& value : witness.values)
+      said += value.name + " " + value.value.get_str() + ";";
     return said;
   };
   CHECK(said_of({0, 3}) == "vertices 2;vertices expected 3;");
