@@ -152,7 +152,8 @@ function(circumspect_precompile target kind)
     endif()
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
-  if(CIRCUMSPECT_BUILD_TESTS AND NOT kind MATCHES "^(untimed_)?layers$")  # as above
+  # GCC refuses the precompiled headers of fmt where its definitions are missing.
+  if(CIRCUMSPECT_BUILD_TESTS AND NOT kind MATCHES "^(untimed_)?layers$")
     target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})

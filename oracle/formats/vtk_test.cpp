@@ -2,6 +2,8 @@
 // forms of the same mesh are in element_formats_test.cpp.
 #include "oracle/formats/vtk.hpp"
 
+#include <bit>
+
 #include <doctest/doctest.h>
 
 #include "oracle/formats/base64.hpp"
@@ -153,6 +155,27 @@ TEST_CASE("vtk: what is refused") {
             five + "POLYGONS 2 2\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1\n")) ==
         "f:8: expected a polygon of 3 vertices or more, found one of 2");
   CHECK(vtk(five + "POLYGONS 0 0\n"));
+}
+
+TEST_CASE("vtk: doubles are no indices, in a binary file either") {
+  const auto bytes_of = [](const std::vector<std::uint64_t>& values) {
+    std::string bytes;
+    for (const std::uint64_t value : values) bytes += stored(value, 8, ByteOrder::kBigEndian);
+    return bytes;
+  };
+  const auto triangle = [&](const std::string& type, const std::vector<std::uint64_t>& corners) {
+    return vtk("# vtk DataFile Version 5.1\nx\nBINARY\nDATASET POLYDATA\nPOINTS 3 double\n" +
+               bytes_of(std::vector<std::uint64_t>(9, 0)) +
+               "\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n" + bytes_of({0, 3}) + "\nCONNECTIVITY " +
+               type + "\n" + bytes_of(corners));
+  };
+  const auto read = triangle("vtktypeint64", {0, 1, 2});
+  REQUIRE_MESSAGE(read, error_of(read));
+  CHECK(read->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  std::vector<std::uint64_t> doubles;
+  for (const double v : {0.0, 1.0, 2.0}) doubles.push_back(std::bit_cast<std::uint64_t>(v));
+  CHECK(error_of(triangle("double", doubles)).find(", an integer, found floating-point numbers") !=
+        std::string::npos);
 }
 
 TEST_CASE("vtu: points of several pieces follow one another") {
