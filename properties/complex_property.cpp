@@ -212,7 +212,8 @@ Mesh in_arrays(const ListedComplex& listed, std::vector<Simplex> faces = {}) {
 std::string text(const Verdict& verdict, const Mesh& mesh) {
   const ComplexFacts& facts = *verdict.complex;
   return report::explanation(verdict, mesh) + report::verdict_line(verdict, mesh, "m") +
-         report::note_of_set_apart(verdict, "m").value_or("") + std::to_string(facts.parts) + " " +
+         report::note_of_set_apart(verdict, "m").value_or("") +
+         (facts.is_complex ? "a complex " : "none ") + std::to_string(facts.parts) + " " +
          std::to_string(facts.boundary_facets) + " " + std::to_string(facts.hanging_vertices) +
          " " + std::to_string(facts.positive) + " " + std::to_string(facts.overlaps_of_parts) +
          " " + std::to_string(facts.overlapping_parts) + " " + std::to_string(verdict.dimension);

@@ -378,6 +378,26 @@ TEST_CASE("periodic-delaunay: a triangle fits beside its copies iff its area is 
   }
 }
 
+// The lattice is twice as fine as the mesh is wide. The long first triangle has its centre twice, and
+// no other triangle has it.
+TEST_CASE("periodic-delaunay: a cell that covers a point twice, though all facets fit") {
+  Mesh listed;
+  listed.coordinates =
+      numbers_of({{0, 0}, {Rational(8, 5), Rational(-1, 4)}, {Rational(8, 5), Rational(1, 4)}}, 2);
+  listed.simplices = IndexLists({{0, 1, 2}, {1, 0, 2}, {0, 2, 1}, {0, 1, 0}, {2, 0, 0}, {2, 0, 1}});
+  const Periodic how{.lattice = {{1, 0}, {0, 1}},
+                     .offsets = {{0, 0, 0, 0, 0, 0},
+                                 {0, 0, 2, 0, 0, 0},
+                                 {0, 0, 0, 0, 0, 1},
+                                 {0, 0, 0, 1, 0, 1},
+                                 {0, 0, 2, 0, 2, 1},
+                                 {0, 0, 2, 1, 0, 1}}};
+  const Verdict verdict = check::judge_periodic(check::unfolded(listed, how), {});
+  REQUIRE(verdict.tallies().size() == 1);
+  REQUIRE(verdict.tallies().contains(Rule::kCoveredTwice));
+  CHECK(verdict.violations().front().witness.places == std::vector<std::size_t>{0, 0});
+}
+
 TEST_CASE("periodic-delaunay: balls are looked at once every point is a vertex") {
   const Periodic how{.lattice = {{1, 0}, {0, 1}},
                      .offsets = {{0, 0, 1, 0, 1, 1}, {0, 0, 0, 1, 1, 1}}};

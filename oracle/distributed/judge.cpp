@@ -121,7 +121,6 @@ class DistributedJudge {
     for (const FacetNames& pair : not_local) {
       facts.not_local.push_back(std::min(part.facet(pair[0]), part.facet(pair[1])));
     }
-    std::sort(facts.not_local.begin(), facts.not_local.end());
     settle(verdict_of_facts(claim_, part.view(), facts, options_), part.named(), judged);
   }
 

@@ -135,6 +135,26 @@ TEST_CASE("meshes that fill their domains, by all claims") {
   CHECK(counted.unknown > 0);  // not all oriented alike
 }
 
+TEST_CASE("a Steiner point that divides an inner segment may have any number") {
+  PiecewiseLinearInput halves = cuboid({0, 0}, {2, 2});
+  halves.points.insert(halves.points.end(), {{1, 0}, {1, 2}});
+  halves.segments = {{0, 4}, {1, 4}, {1, 2}, {2, 5}, {3, 5}, {0, 3}, {4, 5}};
+  const ExactMesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0}, every_cell);
+  const auto n = static_cast<Vertex>(mesh.points.size());
+  for (Vertex by = 0; by < n; ++by) {
+    std::vector<Point> points(mesh.points.size());
+    for (Vertex v = 0; v < n; ++v) points[static_cast<std::size_t>((v + by) % n)] = mesh.points[v];
+    std::vector<Simplex> simplices = mesh.simplices;
+    for (Simplex& simplex : simplices) {
+      for (Vertex& v : simplex) v = (v + by) % n;
+    }
+    Counted counted;
+    compare(Claim::kSteinerCdt, {PointSet(points), simplices}, domain_of(halves), {}, counted);
+    CHECK(counted.known == 1);
+    CHECK(counted.broken == 0);
+  }
+}
+
 TEST_CASE("meshes with one fault, in every place") {
   Counted counted;
   std::size_t seen = 0;

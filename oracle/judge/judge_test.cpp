@@ -282,6 +282,25 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("two pieces apart, each convex, are told fast in the words of the exact checkers") {
+  for (const std::size_t dimension : {2u, 3u}) {
+    const ExactMesh one = shaken_grid(dimension, 3, false);
+    std::vector<Point> points = one.points.points();
+    std::vector<Simplex> simplices = one.simplices;
+    for (Point point : one.points.points()) {
+      point[0] += 10;
+      points.push_back(point);
+    }
+    for (Simplex simplex : one.simplices) {
+      for (Vertex& v : simplex) v += static_cast<Vertex>(one.points.size());
+      simplices.push_back(simplex);
+    }
+    const Verdict verdict = judged(Claim::kTriangulation, {PointSet(points), simplices});
+    CHECK(verdict.course.fast);
+    CHECK(verdict.tallies().contains(Rule::kHullNotConvex));
+  }
+}
+
 TEST_CASE("neighbours that are wrong are found fast, beside facets that are not locally Delaunay") {
   for (const std::size_t dimension : {2u, 3u}) {
     ExactMesh mesh = shaken_grid(dimension, 5, false);
@@ -325,6 +344,8 @@ TEST_CASE("equal points are an error, or count as one, and then the fast engine 
   CHECK(merged.holds());
   CHECK(merged.points == 4);
   CHECK(merged.course.fast);
+  Mesh apart = square_with({0, 1});
+  CHECK(judge(Claim::kComplex, Merging{apart}, nullptr).holds());
   CHECK(mesh.listed(mesh.simplices[1], 1) == Simplex{1, 3, 4});
   Mesh thirds = square_with({Rational(1) / 3, 7});
   CHECK(judge(Claim::kDelaunay, thirds).has_value());

@@ -97,9 +97,6 @@ std::vector<Point> spanning_directions(const std::vector<Point>& normals, std::s
     for (std::size_t axis = 0; d == 3 && axis < d; ++axis) {
       candidates.push_back(cross_product(a, unit(d, axis, 1)));
     }
-    for (const Point& b : normals) {
-      if (d == 3) candidates.push_back(cross_product(a, cross_product(a, b)));
-    }
   }
   if (!may_have_line) candidates.clear();
   for (const Point& a : normals) {

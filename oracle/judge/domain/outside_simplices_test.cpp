@@ -97,4 +97,18 @@ TEST_CASE("domain.outside: all simplices at a point that makes a convex hull lar
                 domain_of(hull));
 }
 
+TEST_CASE("domain.outside: a hull is compared only where the mesh has no notch") {
+  PiecewiseLinearInput hull;
+  hull.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}};
+  hull.kind = DomainKind::kHull;
+  std::vector<Point> points = hull.points;
+  points.push_back({5, 2});
+  const auto broken_by = [&](const std::vector<Simplex>& simplices) {
+    return broken(Claim::kSteinerTriangulation, {PointSet(points), simplices}, domain_of(hull));
+  };
+  CHECK(broken_by({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {1, 5, 2}, {3, 0, 4}}) ==
+        std::set{Rule::kOutside});
+  CHECK(broken_by({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {1, 5, 2}}) == std::set{Rule::kHullNotConvex});
+}
+
 }  // namespace circumspect::check

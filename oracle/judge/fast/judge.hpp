@@ -43,8 +43,7 @@ struct SweptMesh;  // faults.hpp
 // `swept` gets the results that faults() need not compute again.
 template <std::size_t kDimension, typename Index>
 tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Question question,
-                                     unsigned threads = 1,
-                                     std::optional<SweptMesh>* swept = nullptr);
+                                     unsigned threads, std::optional<SweptMesh>* swept = nullptr);
 
 // The same with these neighbours, as MeshView has them, in place of its own: of std::int32_t, where
 // indices are std::int64_t.

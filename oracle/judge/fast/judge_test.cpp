@@ -78,11 +78,11 @@ TEST_CASE("neighbours may be narrower than indices") {
 
 TEST_CASE("of a square's two triangulations, one is canonical") {
   MeshInArrays<2> mesh{{0, 0, 1, 0, 0, 1, 1, 1}, {0, 1, 3, 0, 3, 2}};
-  CHECK(judge(mesh.view(), Question::kDelaunay)->canonical);
+  CHECK(judge(mesh.view(), Question::kDelaunay, 1)->canonical);
   mesh.simplices = {0, 1, 2, 1, 3, 2};
-  CHECK_FALSE(judge(mesh.view(), Question::kDelaunay)->canonical);
+  CHECK_FALSE(judge(mesh.view(), Question::kDelaunay, 1)->canonical);
   mesh.coordinates.back() = 2;
-  CHECK(judge(mesh.view(), Question::kDelaunay)->unique);
+  CHECK(judge(mesh.view(), Question::kDelaunay, 1)->unique);
   mesh.coordinates.back() = 0.75;
   CHECK(undecided(mesh) == description(Undecided::kFacetNotLocal));
   CHECK(undecided(mesh, Question::kTriangulation) == "");
@@ -164,7 +164,7 @@ TEST_CASE("weighted points may be left out where they are submerged") {
   };
   CHECK(weighted(-100) == "");
   CHECK(weighted(-6) == "");
-  CHECK_FALSE(judge(mesh.view(), Question::kWeightedDelaunay)->unique);  // on the plane
+  CHECK_FALSE(judge(mesh.view(), Question::kWeightedDelaunay, 1)->unique);  // on the plane
   CHECK(weighted(-5.75) == description(Undecided::kPointBelowPlane));
   CHECK(undecided(mesh) == description(Undecided::kUnusedPoint));
   mesh.coordinates[7] = 4;

@@ -132,14 +132,14 @@ void check_far_grid(bool mirrored) {
     mesh.simplices = good;
     mesh.simplices.erase(mesh.simplices.begin() + (begin - good.begin()),
                          mesh.simplices.begin() + (begin - good.begin()) + kDimension + 1);
-    CHECK_FALSE(judge(mesh.view(), Question::kTriangulation).has_value());
+    CHECK_FALSE(judge(mesh.view(), Question::kTriangulation, 1).has_value());
     mesh.simplices = good;
     mesh.simplices.insert(mesh.simplices.end(), begin, begin + kDimension + 1);
-    CHECK_FALSE(judge(mesh.view(), Question::kTriangulation).has_value());
+    CHECK_FALSE(judge(mesh.view(), Question::kTriangulation, 1).has_value());
     mesh.simplices = good;
     double& moved = mesh.coordinates[random() % mesh.coordinates.size()];
     moved += 2;
-    CHECK_FALSE(judge(mesh.view(), Question::kTriangulation).has_value());
+    CHECK_FALSE(judge(mesh.view(), Question::kTriangulation, 1).has_value());
     moved -= 2;
   }
 }
@@ -163,7 +163,7 @@ TEST_CASE("a fan of tiny triangles that winds twice is left undecided") {
     }
     Stages stages;
     CHECK(sample_point(fan.view(), stages)->corners.has_value());
-    const auto facts = judge(fan.view(), Question::kTriangulation);
+    const auto facts = judge(fan.view(), Question::kTriangulation, 1);
     REQUIRE_FALSE(facts.has_value());
     covered_twice += facts.error() == Undecided::kCoveredTwice ? 1 : 0;
   }

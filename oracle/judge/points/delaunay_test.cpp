@@ -306,6 +306,19 @@ TEST_CASE("weighted: of several simplices that contain a point, the first in the
     }
     std::swap(square[0], square[1]);
   }
+  // An edge of four tetrahedra, to which the search comes from above: whichever it finds, the way to
+  // the first leads past later ones.
+  const PointSet bipyramid(
+      {{0, 0, -1}, {0, 0, 1}, {0, 0, 3}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 0}},
+      {0, 0, 0, 0, 0, 0, 0, 9});
+  std::vector<Simplex> around = {{0, 1, 3, 4}, {0, 1, 3, 6}, {0, 1, 4, 5}, {0, 1, 5, 6}};
+  do {
+    const std::vector<Simplex> all = {{1, 2, 3, 4}, around[0], around[1],    around[2],
+                                      {1, 2, 4, 5}, around[3], {1, 2, 3, 6}, {1, 2, 5, 6}};
+    const Verdict verdict = judge_points(Claim::kWeightedDelaunay, {bipyramid, all});
+    REQUIRE(verdict.violations().size() == 1);
+    CHECK(verdict.violations().front().witness.simplices == std::vector<Simplex>{around[0]});
+  } while (std::next_permutation(around.begin(), around.end()));
 }
 
 // The orientations that it takes to find n submerged points in a fan of n triangles.

@@ -247,6 +247,13 @@ TEST_CASE("covered twice: a small triangle within a large one, also where it tou
   CHECK(judge_points(Claim::kTriangulation, touching).tallies().at(Rule::kCoveredTwice).count == 2);
 }
 
+TEST_CASE("hull not convex: while a piece is apart, none is asked whether it covers the sample") {
+  const ExactMesh three{
+      PointSet({{0, 0}, {9, 0}, {0, 9}, {2, 2}, {5, 2}, {2, 5}, {20, 20}, {21, 20}, {20, 21}}),
+      {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}};
+  CHECK(broken(three, By::kLemma) == std::set{Rule::kHullNotConvex});
+}
+
 TEST_CASE("coplanar boundary facets are not a fault, nor is a single simplex") {
   const ExactMesh split{PointSet({{0, 0}, {1, 0}, {2, 0}, {1, 1}}), {{0, 1, 3}, {1, 2, 3}}};
   CHECK(broken(split, By::kLemma).empty());

@@ -5,6 +5,7 @@
 
 #include "kernel/complex/polytope.hpp"
 #include "oracle/judge/within/answers_test.hpp"
+#include "oracle/judge/within/held_to_definition_test.hpp"
 #include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 
@@ -73,6 +74,48 @@ TEST_CASE("within: what is wrong besides is named by its rule") {
                                 vertex_at(whole.points, {2 + 0, bits(3), bits(4)}),
                                 vertex_at(whole.points, {2, 4, 0}), far});
   CHECK(both_answers(box) == "fails domain.outside");
+}
+
+TEST_CASE("within: of simplices and faces that are not sound the exact claim says all there is") {
+  const MovedMesh box = box_with_steiner_points();
+  const ExactMesh moved = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+  const auto n = static_cast<Vertex>(moved.points.size());
+  const Simplex first = moved.simplices.front();
+  const auto same = [&](const ExactMesh& mesh, const KnownBeside& known) {
+    const auto verdict =
+        judge_within(kTriangulates, mesh, box.domain, 1, {}, known);  // of several distances
+    const Verdict exactly = judge_exactly(kTriangulates, mesh, &box.domain);
+    return verdict && !verdict->holds() && !verdict->within &&
+           text_of(*verdict) == text_of(exactly);
+  };
+  for (const Simplex& unsound : {Simplex{first[0], first[1], first[2], n},
+                                 {first[0], first[0], first[1], first[2]},
+                                 {first[0], first[1], first[2]},
+                                 first}) {
+    ExactMesh mesh = moved;
+    mesh.simplices.push_back(unsound);
+    CHECK(same(mesh, {}));
+  }
+  const auto facts = exact_facts(kTriangulates, moved, box.domain);
+  REQUIRE(facts.has_value());
+  for (const Simplex& unsound : {Simplex{first[0], n}, {first[0], first[0]}}) {
+    ExactMesh mesh = moved;
+    mesh.faces = {unsound};
+    CHECK(same(mesh, {}));
+    CHECK(same(mesh, &*facts));
+  }
+}
+
+TEST_CASE("within: a mesh that holds as it stands may be too large to be moved by definition") {
+  const MovedMesh box{grid({0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, {0, 4}, every_cell),
+                      domain_of(cuboid({0, 0, 0}, {4, 4, 4}))};
+  const auto by_definition = [&](const ExactMesh& mesh) {
+    return judge_within(kTriangulates, mesh, box.domain, 1, {.by = By::kDefinition});
+  };
+  const auto whole = by_definition(box.mesh);
+  REQUIRE(whole.has_value());
+  CHECK(whole->holds());
+  CHECK(!by_definition(moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)})));
 }
 
 TEST_CASE("within: Steiner points in walls are Steiner points") {
@@ -148,6 +191,12 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   PiecewiseLinearInput input =
       cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; });
   input.points.push_back({2, 2, 5});
+  const auto is_wall = [&](const std::vector<Vertex>& corners) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](Vertex v) { return input.points[static_cast<std::size_t>(v)][2] == 4; });
+  };
+  std::partition(input.polygons.begin(), input.polygons.end(),
+                 [&](const auto& one) { return is_wall(one.lines.front()); });
   const Domain domain = domain_of(input);
   ExactMesh mesh = grid({0, 4}, {0, 4}, {0, 4}, every_cell);
   std::vector<Point> points = mesh.points.points();
@@ -170,11 +219,18 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   mesh = moved_vertex(mesh, {4, 4, 4}, {0, 0, -bits(3)});
   Markers markers;
   for (const Polygon& polygon : domain.complex.polygons) {
-    const bool is_wall = std::all_of(polygon.vertices.begin(), polygon.vertices.end(),
-                                     [&](Vertex v) { return domain.complex.points[v][2] == 4; });
-    markers.of_polygons.push_back(is_wall ? 5 : 0);
+    markers.of_polygons.push_back(is_wall(polygon.vertices) ? 5 : 0);
   }
+  REQUIRE(markers.of_polygons.front() == 5);
   const auto not_local = [&] {
+    const Cells cells(domain.complex, markers);
+    const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
+    Work work;
+    const ReachAnswer quick =
+        least_reach(mesh, used, cells, domain.regions(), kSquaredLimit, 1, work);
+    const ReachAnswer slow =
+        least_reach_by_definition(mesh, used, cells, domain.regions(), kSquaredLimit);
+    CHECK(text_of_images(quick.images) == text_of_images(slow.images));
     const auto verdict = judge_within(Claim::kSteinerCdt, mesh, domain, kSquaredLimit, {}, nullptr,
                                       nullptr, markers);
     REQUIRE(verdict);
