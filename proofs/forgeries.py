@@ -147,12 +147,21 @@ class Subject:
             raise Wrong(f"{line} -- by the definitions other rules are broken: {broken_rules}")
 
 
+def are_in_space(mesh):
+    """Whether the points of a mesh have three coordinates in its file."""
+    if mesh.suffix == ".json":
+        points = json.loads(mesh.read_text())["points"]
+        return bool(points) and len(points[0]) == 3
+    return mesh.with_suffix(".node").read_text().split(None, 2)[1] == "3"
+
+
 def question(line, mesh, domain, kind):
     """What the oracle is asked about a line: the claim, the mesh and options."""
     stated = re.match("verified: (?:not )?([a-z-]+)", line)
     if stated is None:
         raise Wrong(line)
-    about = [stated[1], mesh]
+    # circumspect-verified leaves out no coordinate, and `check` would if it were the same for all points.
+    about = [stated[1], mesh, *(["--dimension", 3] if are_in_space(mesh) else [])]
     if domain is not None:  # a refutation that looks at vertices and segments alone names no kind
         filled = re.search("domain: (enclosed|hull)", line)
         about += ["--domain", domain, "--domain-kind", filled[1] if filled else kind]
