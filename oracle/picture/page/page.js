@@ -45,6 +45,14 @@ const rounded = (text) => {
 const point = (coordinates) => [coordinates.join(',\n'),
   coordinates.some((x) => x.includes('/') || x.length > 17) ? coordinates.map(rounded).join(',\n') : ''];
 
+// Where the points are that a witness names: in a mesh that a lattice repeats, each corner is a copy of one.
+function placeRows(v) {
+  if (!v.places) return Object.entries(v.coordinates).map(([index, at]) => [`point ${index}`, ...point(at)]);
+  const rows = (what, named, places) => named.flatMap((index, i) => (places[i] ? [[`point ${index} of the ${what}`, ...point(places[i])]] : []));
+  return [...v.simplices.flatMap((simplex, i) => rows('simplex', simplex, v.places.simplices[i])),
+    ...rows('face', v.face ?? [], v.places.face), ...rows('vertices', v.vertices, v.places.vertices)];
+}
+
 // What the witness consists of, exactly and rounded.
 function exactTable(v, title) {
   const rows = [];
@@ -52,7 +60,7 @@ function exactTable(v, title) {
   v.simplices.forEach((simplex, i) => rows.push([groups[i]?.words ?? 'simplex', simplex.join(' '), '']));
   if (v.face) rows.push(['face', v.face.length ? v.face.join(' ') : 'the empty one', '']);
   if (v.vertices.length) rows.push([v.vertices.length > 1 ? 'vertices' : 'vertex', v.vertices.join(' '), '']);
-  for (const [index, at] of Object.entries(v.coordinates)) rows.push([`point ${index}`, ...point(at)]);
+  rows.push(...placeRows(v));
   if (v.point) rows.push(['point of the witness', ...point(v.point)]);
   if (v.domain?.polygon) rows.push(['polygon of the domain', v.domain.polygon, '']);
   for (const cell of ['segment', 'vertex']) {

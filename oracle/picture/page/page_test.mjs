@@ -195,6 +195,17 @@ async function ofADomain(browser) {
   await opened.done();
 }
 
+// A mesh that a lattice repeats: three corners are copies of one point.
+async function ofCopies(browser) {
+  const words = ['corpus/periodic/flat.ele', '--claim', 'periodic-delaunay', '--box', '0,0,1,1'];
+  const opened = await Opened.at(browser, written('copies', words));
+  const { page } = opened;
+  assert.match(await page.locator('.card h3').first().textContent(), /simplex\.degenerate/);
+  const table = await page.locator('table').filter({ hasText: 'The witness, exactly' }).first().textContent();
+  for (const at of ['0,\n0', '1,\n0', '2,\n0']) assert.ok(table.includes(`point 0 of the simplex${at}`), table);
+  await opened.done();
+}
+
 // A construction, step by step: by buttons, keys and the slider.
 async function ofSteps(browser) {
   const points = join(folder, 'steps.node');
@@ -236,6 +247,15 @@ function rejected() {
     const [name, ...options] = claim.split(' ');
     words.push([`corpus/domains/${mesh}`, '--domain', `corpus/domains/${file}`, '--claim', name, ...options,
       ...kinds.filter((kind) => ['hull', 'enclosed'].includes(kind)).flatMap((kind) => ['--domain-kind', kind])]);
+  }
+  const optionsOf = (text) => text.split(' ').filter(Boolean);
+  for (const [mesh, sites, options, verdict] of rows('voronoi/expected.tsv')) {
+    if (verdict === 'holds') continue;
+    words.push([`corpus/voronoi/${mesh}`, '--points', `corpus/voronoi/${sites}`, '--claim', 'voronoi', ...optionsOf(options)]);
+  }
+  for (const [mesh, options, verdict] of rows('periodic/expected.tsv')) {
+    if (verdict === 'holds') continue;
+    words.push([`corpus/periodic/${mesh}`, '--claim', 'periodic-delaunay', ...optionsOf(options)]);
   }
   return words;
 }
@@ -304,6 +324,7 @@ try {
   await ofTwoMeshes(browser);
   await ofTheWhole(browser);
   await ofADomain(browser);
+  await ofCopies(browser);
   await ofSteps(browser);
   if (mode === '--all') {
     await everything(browser);
