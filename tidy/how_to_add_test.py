@@ -24,10 +24,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = (ROOT / "docs" / "how-to-add.md").read_text(encoding="utf-8")
 RULE, FAMILY, ENDING = "triangulation.index-of-none", "axes", ".neutral"
 # The issue of a stranger: how many files have to be found and changed by hand.
-MOST_PLACES = {"A rule": 6, "A format": 5, "A family of inputs": 4}
+MOST_PLACES = {"A rule": 9, "A format": 5, "A family of inputs": 4}
 # What is built, and the names of the tests in it.
-TESTS = {"A rule": (["judge_points_test", "picture_test", "corpus_test"],
-                    "^(oracle/judge/points|oracle/picture)/[a-z]+_test$|^corpus/corpus_test$"),
+TESTS = {"A rule": (["judge_points_test", "picture_test", "corpus_test", "properties"],
+                    "^(oracle/judge/points|oracle/picture)/[a-z]+_test$|^corpus/corpus_test$|^properties/periodic_property$"),
          "A format": (["formats_test"], "^oracle/formats/[a-z_]+_test$"),
          "A family of inputs": (["inputs_test"], "^inputs/[a-z]+_test$")}
 CACHED = re.compile(r"^((?:CMAKE_(?:CXX_COMPILER|CXX_COMPILER_LAUNCHER|BUILD_TYPE)|CIRCUMSPECT_QUICK_BUILD):\w+=.*)$", re.MULTILINE)
