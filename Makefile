@@ -200,7 +200,7 @@ test-sanitize-beside:
 # sixth less without line numbers: a failure names functions, and `make soak-sanitize` their lines.
 SETTINGS_release  := $(BROWSER_AND_RANKS) -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=ON
 SETTINGS_sanitize := -DCIRCUMSPECT_SANITIZE_ALL=OFF -DCIRCUMSPECT_VALUES_FROM=$(CURDIR)/build/release \
-                     -DCMAKE_CXX_FLAGS_DEBUG="-O0 -D_GLIBCXX_ASSERTIONS"
+                     -DCMAKE_CXX_FLAGS_DEBUG=-O0
 # Beside the release's tests, it is not to be configured twice at once.
 build-sanitize: $(if $(RELEASE_IS_BUILT),,build-release)
 build-release build-sanitize: build-%:

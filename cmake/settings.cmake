@@ -75,6 +75,11 @@ if(CMAKE_CONFIGURATION_TYPES OR "${_flags} ${_definitions_around}" MATCHES "NDEB
   target_compile_options(circumspect_settings INTERFACE -UNDEBUG)
 endif()
 
+# Neither does an index beyond an end, where tests run and no sanitizer looks.
+if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_BUILD_TESTS)
+  target_compile_definitions(circumspect_settings INTERFACE _GLIBCXX_ASSERTIONS)
+endif()
+
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CIRCUMSPECT_QUICK_BUILD)
   # It spends a twentieth of its time on collecting garbage, of which a source leaves half a
   # gigabyte.

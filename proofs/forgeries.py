@@ -160,7 +160,7 @@ def question(line, mesh, domain, kind):
     stated = re.match("verified: (?:not )?([a-z-]+)", line)
     if stated is None:
         raise Wrong(line)
-    # circumspect-verified leaves out no coordinate, and `check` would if it were the same for all points.
+    # `check` leaves out a third coordinate that is the same for all points.
     about = [stated[1], mesh, *(["--dimension", 3] if are_in_space(mesh) else [])]
     if domain is not None:  # a refutation that looks at vertices and segments alone names no kind
         filled = re.search("domain: (enclosed|hull)", line)

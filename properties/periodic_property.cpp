@@ -378,26 +378,6 @@ TEST_CASE("periodic-delaunay: a triangle fits beside its copies iff its area is 
   }
 }
 
-// The lattice is twice as fine as the mesh is wide. The long first triangle has its centre twice, and
-// no other triangle has it.
-TEST_CASE("periodic-delaunay: a cell that covers a point twice, though all facets fit") {
-  Mesh listed;
-  listed.coordinates =
-      numbers_of({{0, 0}, {Rational(8, 5), Rational(-1, 4)}, {Rational(8, 5), Rational(1, 4)}}, 2);
-  listed.simplices = IndexLists({{0, 1, 2}, {1, 0, 2}, {0, 2, 1}, {0, 1, 0}, {2, 0, 0}, {2, 0, 1}});
-  const Periodic how{.lattice = {{1, 0}, {0, 1}},
-                     .offsets = {{0, 0, 0, 0, 0, 0},
-                                 {0, 0, 2, 0, 0, 0},
-                                 {0, 0, 0, 0, 0, 1},
-                                 {0, 0, 0, 1, 0, 1},
-                                 {0, 0, 2, 0, 2, 1},
-                                 {0, 0, 2, 1, 0, 1}}};
-  const Verdict verdict = check::judge_periodic(check::unfolded(listed, how), {});
-  REQUIRE(verdict.tallies().size() == 1);
-  REQUIRE(verdict.tallies().contains(Rule::kCoveredTwice));
-  CHECK(verdict.violations().front().witness.places == std::vector<std::size_t>{0, 0});
-}
-
 TEST_CASE("periodic-delaunay: balls are looked at once every point is a vertex") {
   const Periodic how{.lattice = {{1, 0}, {0, 1}},
                      .offsets = {{0, 0, 1, 0, 1, 1}, {0, 0, 0, 1, 1, 1}}};
@@ -407,50 +387,6 @@ TEST_CASE("periodic-delaunay: balls are looked at once every point is a vertex")
   CHECK(broken_by_definition({{0, 0}, unused}, cells, how) == std::set{Rule::kUnusedPoint});
   const std::vector<Simplex> of_the_second(2, {1, 1, 1});
   CHECK(broken_by_definition({unused, {0, 0}}, of_the_second, how) == std::set{Rule::kUnusedPoint});
-}
-
-TEST_CASE("periodic-delaunay: offsets beyond 2^32 are refused in either direction") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
-  Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 0, 1}}};
-  CHECK(check::fault_of_periodic(listed, how).empty());
-  const Vertex most = Vertex{1} << 32U;
-  for (Vertex& offset : how.offsets.front()) {
-    for (const Vertex beyond : {most, -most}) {
-      offset = beyond;
-      CHECK(check::fault_of_periodic(listed, how).empty());
-      offset += beyond > 0 ? 1 : -1;
-      CHECK(check::fault_of_periodic(listed, how).find("offsets of at most 2^32, found") !=
-            std::string::npos);
-    }
-    offset = 0;
-  }
-}
-
-TEST_CASE("periodic-delaunay: a lattice is refused that has not a vector for each axis") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
-  for (const std::vector<Point>& lattice : std::vector<std::vector<Point>>{
-           {{1, 0}}, {{1, 0}, {0, 1}, {1, 1}}, {{1, 0}, {0, 1, 0}}, {{1}, {0, 1}}}) {
-    const Periodic how{.lattice = lattice, .offsets = {{0, 0, 1, 0, 0, 1}}};
-    CHECK(
-        check::fault_of_periodic(listed, how).find("a lattice of 2 vectors that span the plane") !=
-        std::string::npos);
-  }
-}
-
-TEST_CASE("periodic-delaunay: flat cells are named, though they span nothing") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
-  const Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 2, 0}}};
-  const Mesh mesh = check::unfolded(listed, how);
-  CHECK(exact(mesh).points.dimension() == 2);
-  for (const auto by : {check::By::kLemma, check::By::kDefinition}) {
-    CHECK(check::judge_periodic(mesh, {.by = by}).tallies().contains(Rule::kDegenerateSimplex));
-  }
 }
 
 }  // namespace

@@ -380,6 +380,8 @@ TEST_CASE("only a mesh that a lattice repeats can be asked for the claim periodi
   mesh.copies.emplace();
   CHECK(fault_of_claim(Claim::kPeriodicDelaunay, mesh, {}).empty());
   CHECK(fault_of_claim(Claim::kDelaunay, mesh, {}).empty());
+  CHECK(fault_of_claim(Claim::kVoronoi, mesh, {}) ==
+        "expected the cells of a Voronoi diagram for the claim voronoi, found a mesh");
 }
 
 }  // namespace circumspect::check

@@ -45,6 +45,27 @@ TEST_CASE("in the plane a hull is edges, or a vertex a row") {
   CHECK(broken(kSquare, cycle({0, 1, 2, 3, 0, 1, 2, 3})) == Tallies{{Rule::kDuplicateSimplex, 4}});
 }
 
+// From one point to the next it is far, so that no walk from facet to facet finds them all.
+TEST_CASE("a hull with many facets has its points inside, at its two ends in turn") {
+  std::vector<Point> points;
+  std::vector<Simplex> facets;
+  for (int x = 0; x <= 300; ++x) {
+    points.push_back({x, x * (300 - x)});
+    facets.push_back({x, (x + 1) % 301});
+  }
+  for (int i = 0; i < 150; ++i) {
+    const Rational height = Rational(i + 1) / 2;
+    points.push_back({i % 2 == 0 ? 1 : 299, height});
+  }
+  const auto rules = [&] {
+    const Verdict verdict = judge_convex_hull({PointSet(points), facets}, {}, false, false, 0);
+    return verdict.tallies().size();
+  };
+  CHECK(rules() == 0);
+  points.back() = {299, 300};
+  CHECK(rules() == 1);
+}
+
 TEST_CASE("points of the boundary may be vertices or not, unless more is demanded") {
   const std::vector<Simplex> without = cycle({0, 1, 2, 3});
   const std::vector<Simplex> with = cycle({0, 5, 1, 2, 3});

@@ -306,8 +306,8 @@ TEST_CASE("weighted: of several simplices that contain a point, the first in the
     }
     std::swap(square[0], square[1]);
   }
-  // An edge of four tetrahedra, to which the search comes from above: whichever it finds, the way to
-  // the first leads past later ones.
+  // An edge of four tetrahedra, to which the search comes from above: whichever it finds, the way
+  // to the first leads past later ones.
   const PointSet bipyramid(
       {{0, 0, -1}, {0, 0, 1}, {0, 0, 3}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 0}},
       {0, 0, 0, 0, 0, 0, 0, 9});

@@ -314,5 +314,19 @@ TEST_CASE("sizes are exact where they are rational, and correctly rounded elsewh
   CHECK(size_of(steps).exact == Rational(9, 2));
 }
 
+TEST_CASE("a size is exact where every point has a denominator of its own") {
+  std::vector<Point> points = {{0, 0}};
+  std::vector<Simplex> fan;
+  Rational twice = 0;
+  for (int i = 1; i <= 40; ++i) {
+    const Rational tiny(Integer(1), (Integer(1) << 70U) + i);
+    points.push_back({i + tiny, 1});
+    if (i == 1) continue;
+    fan.push_back({0, i - 1, i});
+    twice += points[static_cast<std::size_t>(i)][0] - points[static_cast<std::size_t>(i) - 1][0];
+  }
+  CHECK(size_of(listed_mesh(points, fan)).exact == twice / 2);
+}
+
 }  // namespace
 }  // namespace circumspect::quality

@@ -184,6 +184,13 @@ TEST_CASE("what cannot be judged is refused, with what to do") {
     }
   }
   diagram = square_with_centre();
+  diagram.vertices.push_back({1, 2, 3});
+  CHECK(fault_of_diagram(diagram, {}) ==
+        "expected vertices of dimension 2, as the sites, found another");
+  diagram.sites = PointSet(std::vector<Point>{{0}, {1}});
+  CHECK(fault_of_diagram(diagram, {}) ==
+        "expected sites in the plane or in space for the claim voronoi, found dimension 1");
+  diagram = square_with_centre();
   const auto of_box = [&](const Point& low, const Point& high) {
     return fault_of_diagram(diagram, JudgedBox{low, high});
   };

@@ -116,6 +116,37 @@ TEST_CASE("within: a mesh that holds as it stands may be too large to be moved b
   REQUIRE(whole.has_value());
   CHECK(whole->holds());
   CHECK(!by_definition(moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)})));
+  // So many points of a convex hull that not every plane through three of them is tried.
+  PiecewiseLinearInput hull;
+  for (int x = 0; x < 7; ++x) {
+    for (int y = 0; y < 7; ++y) {
+      for (int z = 0; z < 7; ++z) hull.points.push_back({x, y, z});
+    }
+  }
+  hull.kind = DomainKind::kHull;
+  ExactMesh one{PointSet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {{0, 1, 2, 3}}};
+  const auto of_many =
+      judge_within(kTriangulates, one, domain_of(hull), 1, {.by = By::kDefinition});
+  REQUIRE(!of_many);
+  CHECK(of_many.error().reason.starts_with("By definition every plane through three vertices is"));
+}
+
+TEST_CASE("within: what an image lacks is named in the words of the domain") {
+  // An edge is listed from corner to corner, and the tetrahedra cross it.
+  PiecewiseLinearInput input = cuboid({0, 0, 0}, {4, 4, 4});
+  const PointSet corners(input.points);
+  const Simplex diagonal = {vertex_at(corners, {0, 0, 0}), vertex_at(corners, {4, 4, 4})};
+  input.segments.push_back(diagonal);
+  MovedMesh box{box_with_steiner_points().mesh, domain_of(input)};
+  const PointSet& points = box.mesh.points;
+  box.mesh.faces = {{vertex_at(points, {4, 4, 4}), vertex_at(points, {0, 0, 0})}};
+  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+  const auto verdict = judge_within(kTriangulates, box.mesh, box.domain, kSquaredLimit);
+  REQUIRE(verdict);
+  REQUIRE(verdict->tallies().contains(Rule::kSegmentMissing));
+  const Witness& witness = verdict->violations().front().witness;
+  CHECK(witness.domain_cell == sorted(diagonal));
+  CHECK(!witness.polygon);
 }
 
 TEST_CASE("within: Steiner points in walls are Steiner points") {
@@ -183,13 +214,24 @@ TEST_CASE(
   CHECK(both_answers(boxes) == "holds 3");
 }
 
+// The images are those of the definition.
+void check_images(const ExactMesh& mesh, const Domain& domain, const Markers& markers) {
+  const Cells cells(domain.complex, markers);
+  const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
+  Work work;
+  const ReachAnswer quick =
+      least_reach(mesh, used, cells, domain.regions(), kSquaredLimit, 1, work);
+  const ReachAnswer slow =
+      least_reach_by_definition(mesh, used, cells, domain.regions(), kSquaredLimit);
+  CHECK(text_of_images(quick.images) == text_of_images(slow.images));
+}
+
 // The diagonals of the sides do not end in the vertices of the wall that are moved down.
 TEST_CASE("within: markers say which facets are a polygon, where there is a choice") {
   // Two cubes with a wall between them, and a flat tetrahedron in the wall. From above a vertex is
   // near, which sees two of its facets inside their circumballs.
-  const std::vector<int> two = {0, 4, 8};
   PiecewiseLinearInput input =
-      cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; });
+      cells_domain({0, 4}, {0, 4}, {0, 4, 8}, every_cell, [](std::size_t) { return true; });
   input.points.push_back({2, 2, 5});
   const auto is_wall = [&](const std::vector<Vertex>& corners) {
     return std::all_of(corners.begin(), corners.end(),
@@ -223,14 +265,7 @@ TEST_CASE("within: markers say which facets are a polygon, where there is a choi
   }
   REQUIRE(markers.of_polygons.front() == 5);
   const auto not_local = [&] {
-    const Cells cells(domain.complex, markers);
-    const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
-    Work work;
-    const ReachAnswer quick =
-        least_reach(mesh, used, cells, domain.regions(), kSquaredLimit, 1, work);
-    const ReachAnswer slow =
-        least_reach_by_definition(mesh, used, cells, domain.regions(), kSquaredLimit);
-    CHECK(text_of_images(quick.images) == text_of_images(slow.images));
+    check_images(mesh, domain, markers);
     const auto verdict = judge_within(Claim::kSteinerCdt, mesh, domain, kSquaredLimit, {}, nullptr,
                                       nullptr, markers);
     REQUIRE(verdict);
