@@ -45,7 +45,7 @@ const rounded = (text) => {
 const point = (coordinates) => [coordinates.join(',\n'),
   coordinates.some((x) => x.includes('/') || x.length > 17) ? coordinates.map(rounded).join(',\n') : ''];
 
-// Where the points are that a witness names: in a mesh that a lattice repeats, each corner is a copy of one.
+// Where the points are that a witness names. In a mesh that a lattice repeats, corners are copies.
 function placeRows(v) {
   if (!v.places) return Object.entries(v.coordinates).map(([index, at]) => [`point ${index}`, ...point(at)]);
   const rows = (what, named, places) => named.flatMap((index, i) => (places[i] ? [[`point ${index} of the ${what}`, ...point(places[i])]] : []));
