@@ -188,6 +188,18 @@ TEST_CASE("exodus: faults, and a file that ends too early") {
   CHECK(exodus_error(file).find("expected the type of a variable from 1 to 11, found 12") !=
         std::string::npos);
   file = tetrahedron_and_triangle();
+  file.variables[2].numbers = doubles({0, 0, 0, std::nan("")});
+  CHECK(exodus_error(file) ==
+        "f: expected a coordinate of point 4 of 4, a finite number, found NaN or an infinity at "
+        "byte 24");
+  file = {{2, 3}, {{"coord", {0, 1}, "", 6, doubles({0, 1, 0, 0, 0, std::nan("")})}}};
+  CHECK(exodus_error(file) ==
+        "f: expected a coordinate of point 3 of 3, a finite number, found NaN or an infinity at "
+        "byte 40");
+  file = tetrahedron_and_triangle();
+  file.variables[4] = {"connect1", {1}, "nfaced", 4, integers({6})};
+  CHECK(exodus(file)->first_other);
+  file = tetrahedron_and_triangle();
   file.variables.back().numbers.clear();
   CHECK(exodus_error(file).starts_with(
       "f: expected the numbers of \"connect2\", found the end of the file at byte "));

@@ -314,6 +314,8 @@ TEST_CASE("gmsh: version 1, as older programs write it") {
         "f:9: expected 3 nodes of a triangle, found 4");
   CHECK(error_of(read(nodes + nodes)) ==
         "f:7: expected one section $NOD and one section $ELM, found \"$NOD\"");
+  CHECK(error_of(read("$Comments\nwithout an end\n" + nodes)) ==
+        "f:1: expected $EndComments behind $Comments, found the end of the file");
   CHECK(error_of(read(nodes)) == "f:6: expected the section $Elements, found the end of the file");
 }
 

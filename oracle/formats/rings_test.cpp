@@ -143,6 +143,8 @@ TEST_CASE("rings: faults of GeoJSON and their lines") {
         "f:1: expected a ring of at least 3 positions, found 2 positions");
   CHECK(of_geojson("{\"type\": \"Polygon\", \"coordinates\": [[0, 0], [1, 0], [0, 1]]}") ==
         "f:1: expected a list of positions, found a position");
+  CHECK(of_geojson("{\"type\": \"MultiPolygon\",\n\"coordinates\": [[0, 0]]}") ==
+        "f:2: expected a list of lines or rings, each a list of positions, found a position");
   CHECK(of_geojson("[[[0, 0], [1, 0], [0") ==
         "f:1: expected the rest of the JSON text, found the end of the file");
 }

@@ -138,6 +138,8 @@ TEST_CASE("stl in text: what is refused") {
         "f:5: expected \"vertex\" and 3 coordinates, found 2 of them");
   CHECK(error_of(stl("solid\n" + facet("0 0 0", "1 0 nan", "0 1 0") + "endsolid\n")) ==
         "f:5: expected a finite number, found \"nan\"");
+  CHECK(error_of(stl("solid\nfacet normal 0 0 1\nouter loop 1\n")) ==
+        "f:3: expected the end of the line, found \"1\"");
   CHECK(error_of(stl("solid\nfacet normal 0 0 1\nouter\n")) ==
         "f:3: expected \"loop\", found the end of the line");
   CHECK(error_of(stl("")) ==
@@ -316,6 +318,14 @@ TEST_CASE("ply: what is refused") {
         "f:11: expected a face of at least 1 vertex, found none");
   CHECK(with(vertex + face + "end_header\n0 0 0\n") ==
         "f:10: expected face 1 of 1, found the end of the file");
+  CHECK(with(vertex + face + face + "end_header\n0 0 0\n1 0\n1 0\n") ==
+        "f:11: expected one element face, or tristrips, with a list of integers vertex_indices, "
+        "found two elements");
+  CHECK(with(vertex + "element face 1\nproperty list uchar float vertex_indices\nend_header\n") ==
+        "f:9: expected one element face, or tristrips, with a list of integers vertex_indices, "
+        "found another element face");
+  CHECK(with("element edge 1\nproperty list uchar int both\n" + vertex + face +
+             "end_header\n3 0 0\n") == "f:12: expected 3 values, found the end of the line");
 }
 
 // Wavefront's .obj: what is skipped, what is refused, and the messages.

@@ -381,6 +381,9 @@ TEST_CASE("csv: what is refused") {
   CHECK(error_of(csv("0,1\n2\n")) == "f:2: expected 2 columns, as on the first line, found 1");
   CHECK(error_of(csv("0,1\n2,\n")) == "f:2: expected a finite number, found \"\"");
   CHECK(error_of(csv("0,1\n2,1e999\n")).starts_with("f:2: expected "));
+  std::string wide = "0";
+  for (int i = 0; i < 16; ++i) wide += ",0";
+  CHECK(error_of(csv(wide)) == "f:1: expected at most 16 coordinates, found 17");
 }
 
 }  // namespace circumspect::formats

@@ -138,6 +138,11 @@ TEST_CASE("vtk: what is refused") {
         "f:9: expected the number of vertices of cell 1 of 1, 0 or more, found -3");
   CHECK(error_of(vtk(grid(kPoints + "SCALARS a float\n"))) ==
         "f:8: expected a section, as POINTS or CELLS, found \"SCALARS\"");
+  CHECK(error_of(vtk(grid(kPoints + "FIELD f 1\na 8589934592 8589934592 int\n1\n"))) ==
+        "f:9: expected a field that the file has room for, found \"int\"");
+  CHECK(error_of(vtk(
+            grid(kPoints + "FIELD f 2\na 1 1 int\n1\nMETADATA\nINFORMATION 0\n\nb 1 1 real\n"))) ==
+        "f:14: expected a type of numbers, as double, found \"real\"");
   const std::string five = "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET POLYDATA\n" + kPoints;
   CHECK(
       error_of(vtk(
