@@ -157,7 +157,8 @@ class Built(Followed):
         was, now = self.golden, self.golden_rows()
         self.assertEqual([row for row in was if row not in now], [], "golden rows of before are to stay")
         self.assertEqual({row.split("\t")[0].removesuffix(" --format json") for row in now if row not in was},
-                         {f"check reject/{RULE}.ele --claim delaunay"})
+                         {f"check reject/{RULE}.ele --claim delaunay",
+                          "check periodic/index-of-none.ele --claim periodic-delaunay --box 0,0,1,1"})
 
 
 def main():
