@@ -130,6 +130,24 @@ TEST_CASE("vertices hang between parts only, unless facets lead from one side to
   CHECK(!judge_complex(mesh, {}, false, 0).complex->only_parts_hang);
 }
 
+// Two triangles of which one has a vertex in an edge of the other, and so many about one point that
+// 50,000 pairs overlap.
+TEST_CASE("where too many overlap, nothing else is named") {
+  ListedComplex mesh{{{100, 0}, {104, 0}, {100, 4}, {102, 0}, {101, -2}, {103, -2}},
+                     {{0, 1, 2}, {3, 4, 5}}};
+  CHECK(tallies_of(mesh, {}, false).contains(Rule::kHangingVertex));
+  for (int i = 1; i <= 330; ++i) {
+    const auto first = static_cast<Vertex>(mesh.points.size());
+    const Rational turn = Rational(i, 400);
+    mesh.points.insert(mesh.points.end(), {{-4 + turn, -4}, {4, -4 + turn}, {turn, 8}});
+    mesh.simplices.push_back({first, first + 1, first + 2});
+  }
+  const Verdict verdict = judge_complex(mesh, {}, false, 1);
+  CHECK(verdict.complex->are_counts_cut);
+  CHECK(verdict.tallies().size() == 1);
+  CHECK(verdict.tallies().at(Rule::kOverlap).count >= 50'000);
+}
+
 TEST_CASE("overlaps of different parts are counted, and the pairs of parts that have any") {
   // A square of two triangles, a triangle across its diagonal, and one that is far away.
   const ListedComplex mesh{
