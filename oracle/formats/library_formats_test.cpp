@@ -145,6 +145,10 @@ TEST_CASE("mfem: faults and their lines") {
         "f:4: expected a kind of elements from 0 to 7, found \"9\"");
   CHECK(mfem_error("MFEM mesh v1.0\nelements\n1\n1 2 0 1\n") ==
         "f:4: expected an attribute, a kind and 3 vertices of a triangle, found 4 columns");
+  CHECK(mfem_error("MFEM mesh v1.0\nelements\n1\n1 x 0 1 2\n") ==
+        "f:4: expected the kind of an element, an integer, found \"x\"");
+  CHECK(mfem_error(kMfemElements + "vertices\n4\n4\n0 0 0\n") ==
+        "f:18: expected a dimension from 1 to 3, found \"4\"");
   CHECK(mfem_error("MFEM mesh v1.0\nelements\n2\n1 2 0 1 2\n") ==
         "f:4: expected element 2 of 2, found the end of the file");
   CHECK(mfem_error(kMfemElements) ==

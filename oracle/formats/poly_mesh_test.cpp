@@ -7,6 +7,7 @@
 
 #include "inputs/dice.hpp"
 #include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/foam_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
@@ -227,6 +228,12 @@ TEST_CASE("openfoam: cells of faces, owners and neighbours, as text and binary")
     CHECK(file->triangles.simplices ==
           std::vector<Simplex>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 4, 3}, {2, 3, 4}, {1, 2, 4}});
   }
+}
+
+TEST_CASE("openfoam: a file is told by its header, wherever that stands") {
+  CHECK(is_foam_file("FoamFile\n{\n}\n"));
+  CHECK(is_foam_file("/* a banner */\nFoamFile\n{\n}\n"));
+  CHECK(!is_foam_file("oamFile\n{\n}\n"));
 }
 
 TEST_CASE("openfoam: the case, its folders and ParaView's file name one mesh") {

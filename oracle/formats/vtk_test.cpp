@@ -281,6 +281,21 @@ TEST_CASE("vtu: what is refused") {
         "f:8: expected one of 3 connectivity, found the end of the file");
 }
 
+TEST_CASE("vtu: a piece in bytes follows one in text, whose decimals are exact") {
+  const WrittenMesh mesh{{{0, 0, 0}, {0.5, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}};
+  std::string text = vtu(mesh, {VtuForm::Place::kInline});
+  text.insert(text.find("<Piece"), piece("0.1 0 0 1 0 0 0 1 0", "0 1 2"));
+  const auto file = read_vtu({"f", text}, NumberReading::kDecimal);
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points == std::vector<Point>{{Rational(1, 10), 0, 0},
+                                                  {1, 0, 0},
+                                                  {0, 1, 0},
+                                                  {0, 0, 0},
+                                                  {Rational(1, 2), 0, 0},
+                                                  {0, 3, 0}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {3, 4, 5}});
+}
+
 TEST_CASE("vtu: bytes that are not what their lengths promise") {
   using enum VtuForm::Place;
   const WrittenMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
@@ -299,6 +314,8 @@ TEST_CASE("vtu: bytes that are not what their lengths promise") {
   CHECK(error_of(xml(inline_text)) == "f:6: expected bytes in base 64, found other characters");
   std::string packed = vtu(mesh, {kAppendedRaw, VtuForm::Packed::kByZlib});
   const std::size_t head = packed.find("\n_") + 2;
+  CHECK(error_of(xml(packed.substr(0, head) + "\n</AppendedData></VTKFile>")) ==
+        "f:6: expected the number of compressed blocks, found the end of the data");
   std::string many = packed;
   CHECK(error_of(xml(many.replace(head, 4, "\xff\xff\xff\xff"))) ==
         "f:6: expected compressed blocks, found 4294967295, more than there are bytes");
