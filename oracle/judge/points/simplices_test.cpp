@@ -14,11 +14,12 @@ namespace {
 
 const std::vector<Point> kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-// The rules that a mesh breaks as a Delaunay triangulation.
+// The rules that a mesh breaks as a Delaunay triangulation. If there are any, nothing else is said.
 std::set<Rule> broken_delaunay(const ExactMesh& mesh, By by, bool oriented = false) {
   std::set<Rule> rules;
   const Verdict verdict =
       judge_exactly(Claim::kDelaunay, mesh, nullptr, {.by = by, .oriented = oriented});
+  CHECK((verdict.holds() || (!verdict.unique && !verdict.canonical)));
   for (const auto& [rule, tally] : verdict.tallies()) {
     rules.insert(rule);
   }
