@@ -75,7 +75,7 @@ if(CMAKE_CONFIGURATION_TYPES OR "${_flags} ${_definitions_around}" MATCHES "NDEB
   target_compile_options(circumspect_settings INTERFACE -UNDEBUG)
 endif()
 
-# Neither does an index beyond an end, where tests run and no sanitizer looks.
+# Nor must an index beyond an end, where tests run: a sanitizer looks at little of the code there.
 if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_BUILD_TESTS)
   target_compile_definitions(circumspect_settings INTERFACE _GLIBCXX_ASSERTIONS)
 endif()
