@@ -181,6 +181,15 @@ TEST_CASE(
   const Rational radius(1, 3);
   const VertexIndex two(PointSet({{radius, 0, 0}, {0, -radius, 0}}));
   CHECK(two.near({{0, 0, 0}, radius * radius}).size() == 2);
+  // Around a double, points between two doubles, exactly on the sphere.
+  const Point centre = {0x1p40, -0x1p39, 0x1p38};
+  for (int k = 1; k <= 100; ++k) {
+    const Rational part(k, 49);
+    const std::vector<Point> around = {centre + Point{2 * part, 3 * part, 6 * part},
+                                       centre + Point{-6 * part, 2 * part, -3 * part},
+                                       centre + Point{3 * part, -6 * part, 2 * part}};
+    CHECK(VertexIndex(PointSet(around)).near({centre, 49 * part * part}).size() == 3);
+  }
 }
 
 TEST_CASE("conforming Delaunay: a grid is, and polygons are not exempt") {
