@@ -75,7 +75,8 @@ if(CMAKE_CONFIGURATION_TYPES OR "${_flags} ${_definitions_around}" MATCHES "NDEB
   target_compile_options(circumspect_settings INTERFACE -UNDEBUG)
 endif()
 
-# Nor must an index beyond an end, where tests run: a sanitizer looks at little of the code there.
+# The standard library's assertions end a test at an index beyond an end. The sanitizers' build
+# looks only at what handles bytes, arrays and processes.
 if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_BUILD_TESTS)
   target_compile_definitions(circumspect_settings INTERFACE _GLIBCXX_ASSERTIONS)
 endif()

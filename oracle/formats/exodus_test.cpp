@@ -2,6 +2,7 @@
 #include "oracle/formats/exodus.hpp"
 
 #include <bit>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>

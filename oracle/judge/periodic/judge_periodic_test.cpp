@@ -10,6 +10,14 @@
 namespace circumspect::check {
 namespace {
 
+// Three copies of a point are the corners of a triangle.
+Mesh point_and_triangle() {
+  Mesh listed;
+  listed.coordinates = numbers_of({{0, 0}}, 2);
+  listed.simplices = IndexLists({{0, 0, 0}});
+  return listed;
+}
+
 // The lattice is twice as fine as the mesh is wide. The long first triangle has its centre twice,
 // and no other triangle has it.
 TEST_CASE("a cell that covers a point twice, though all facets fit") {
@@ -31,9 +39,7 @@ TEST_CASE("a cell that covers a point twice, though all facets fit") {
 }
 
 TEST_CASE("a mesh is refused whose offsets are not those of its cells") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
+  Mesh listed = point_and_triangle();
   const auto fault = [&listed](const std::vector<Simplex>& offsets) {
     return fault_of_periodic(listed, {.lattice = {{1, 0}, {0, 1}}, .offsets = offsets});
   };
@@ -50,9 +56,7 @@ TEST_CASE("a mesh is refused whose offsets are not those of its cells") {
 }
 
 TEST_CASE("offsets beyond 2^32 are refused in either direction") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
+  const Mesh listed = point_and_triangle();
   Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 0, 1}}};
   CHECK(fault_of_periodic(listed, how).empty());
   const Vertex most = Vertex{1} << 32U;
@@ -69,9 +73,7 @@ TEST_CASE("offsets beyond 2^32 are refused in either direction") {
 }
 
 TEST_CASE("a lattice is refused that has not a vector for each axis") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
+  const Mesh listed = point_and_triangle();
   for (const std::vector<Point>& lattice : std::vector<std::vector<Point>>{
            {{1, 0}}, {{1, 0}, {0, 1}, {1, 1}}, {{1, 0}, {0, 1, 0}}, {{1}, {0, 1}}}) {
     const Periodic how{.lattice = lattice, .offsets = {{0, 0, 1, 0, 0, 1}}};
@@ -81,9 +83,7 @@ TEST_CASE("a lattice is refused that has not a vector for each axis") {
 }
 
 TEST_CASE("flat cells are named, though they span nothing") {
-  Mesh listed;
-  listed.coordinates = numbers_of({{0, 0}}, 2);
-  listed.simplices = IndexLists({{0, 0, 0}});
+  const Mesh listed = point_and_triangle();
   const Periodic how{.lattice = {{1, 0}, {0, 1}}, .offsets = {{0, 0, 1, 0, 2, 0}}};
   const Mesh mesh = unfolded(listed, how);
   CHECK(exact(mesh).points.dimension() == 2);

@@ -1,6 +1,7 @@
 // Delaunay and weighted Delaunay triangulations, by lemma and by definition.
 #include "oracle/judge/points/delaunay.hpp"
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <stdexcept>

@@ -1,6 +1,8 @@
 // The cases that the definition was made for: docs/theory/within.md.
 #include "oracle/judge/within/judge_within.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "kernel/complex/polytope.hpp"
@@ -82,8 +84,7 @@ TEST_CASE("within: of simplices and faces that are not sound the exact claim say
   const auto n = static_cast<Vertex>(moved.points.size());
   const Simplex first = moved.simplices.front();
   const auto same = [&](const ExactMesh& mesh, const KnownBeside& known) {
-    const auto verdict =
-        judge_within(kTriangulates, mesh, box.domain, 1, {}, known);  // of several distances
+    const auto verdict = judge_within(kTriangulates, mesh, box.domain, 1, {}, known);
     const Verdict exactly = judge_exactly(kTriangulates, mesh, &box.domain);
     return verdict && !verdict->holds() && !verdict->within &&
            text_of(*verdict) == text_of(exactly);

@@ -45,12 +45,13 @@ const rounded = (text) => {
 const point = (coordinates) => [coordinates.join(',\n'),
   coordinates.some((x) => x.includes('/') || x.length > 17) ? coordinates.map(rounded).join(',\n') : ''];
 
-// Where the points are that a witness names. In a mesh that a lattice repeats, corners are copies.
+// Where the points are that a witness names. If a lattice repeats the mesh, each corner is a copy
+// of a point, at a place of its own.
 function placeRows(v) {
   if (!v.places) return Object.entries(v.coordinates).map(([index, at]) => [`point ${index}`, ...point(at)]);
-  const rows = (what, named, places) => named.flatMap((index, i) => (places[i] ? [[`point ${index} of the ${what}`, ...point(places[i])]] : []));
-  return [...v.simplices.flatMap((simplex, i) => rows('simplex', simplex, v.places.simplices[i])),
-    ...rows('face', v.face ?? [], v.places.face), ...rows('vertices', v.vertices, v.places.vertices)];
+  const rows = (what, named, places) => named.flatMap((index, i) => (places[i] ? [[`${what} ${index}`, ...point(places[i])]] : []));
+  return [...v.simplices.flatMap((simplex, i) => rows('corner of the simplex:', simplex, v.places.simplices[i])),
+    ...rows('corner of the face:', v.face ?? [], v.places.face), ...rows('vertex', v.vertices, v.places.vertices)];
 }
 
 // What the witness consists of, exactly and rounded.

@@ -202,7 +202,7 @@ async function ofCopies(browser) {
   const { page } = opened;
   assert.match(await page.locator('.card h3').first().textContent(), /simplex\.degenerate/);
   const table = await page.locator('table').filter({ hasText: 'The witness, exactly' }).first().textContent();
-  for (const at of ['0,\n0', '1,\n0', '2,\n0']) assert.ok(table.includes(`point 0 of the simplex${at}`), table);
+  for (const at of ['0,\n0', '1,\n0', '2,\n0']) assert.ok(table.includes(`corner of the simplex: 0${at}`), table);
   await opened.done();
 }
 
