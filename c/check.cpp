@@ -186,6 +186,7 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     const circumspect_options asked = c::asked_of(options);
     check::Options own = c::options_of(asked);
     Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), named == Claim::kWeightedDelaunay);
+    const bool has_neighbors = judged.neighbors.has_value();
     if (asked.allow_empty == 0) c::refuse_empty(judged, c::kAllowEmpty);
     if (named == Claim::kPeriodicDelaunay) judged = c::unfolded(judged, asked);
     std::optional<Domain> about;
@@ -203,6 +204,12 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     if (!unmeasured.empty()) c::refuse_call(unmeasured);
     std::vector<std::string> notes;
     const Claim known = named ? *named : c::default_claim(judged, filled, asked, notes);
+    if (has_neighbors && is_about_a_list(known)) {
+      c::refuse_call(
+          fmt::format("expected no neighbors beside the claim {}, found some: they are judged of "
+                      "triangulations",
+                      name(known)));
+    }
     c::set_demands(asked.demands, known, own);
     Verdict found = c::judged(known, judged, filled, asked, own, notes);
     if (asked.within == nullptr) found.causes = c::causes_of(found, judged, filled, own);

@@ -161,6 +161,10 @@ TEST_CASE("wide indices, neighbours, weights, exact numbers and options") {
   const std::vector<std::int64_t> exchanged = {1, -1, -1, -1, -1, 0};
   mesh.neighbors = exchanged.data();
   CHECK(circumspect_verdict_holds(check("delaunay", &mesh).verdict.get()) == 0);
+  for (const char* const claim : {"complex", "convex-hull", "surface-delaunay"}) {
+    CHECK(check(claim, &mesh).status == CIRCUMSPECT_INVALID_ARGUMENT);
+    CHECK(has(circumspect_last_error(), "expected no neighbors beside the claim "));
+  }
   mesh.neighbors = nullptr;
   // The weight of the last point pulls it out of the ball.
   const std::vector<double> weights = {0, 0, 0, -1};

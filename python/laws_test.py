@@ -68,6 +68,12 @@ def test_neighbors_of_a_mesh_count_and_those_that_are_given_count_more():
         assert bool(circumspect.check(mesh, neighbors=given)) == (given is right)
 
 
+@pytest.mark.parametrize("claim", ["complex", "convex-hull", "surface-delaunay", "periodic-delaunay"])
+def test_neighbors_are_refused_where_nothing_judges_them(claim):
+    with pytest.raises(ValueError, match=f"expected no neighbors beside the claim {claim}"):
+        circumspect.check(POINTS, SIMPLICES, claim, neighbors=neighbors_of(SIMPLICES))
+
+
 def test_cells_of_every_dimension_arrive():
     """A loose segment and a loose triangle have to be listed; so one that is lost is missed."""
     domain = circumspect.Domain([*CUBE, [9, 0, 0], [9, 4, 0], [9, 0, 4], [12, 0, 0], [12, 4, 0]], segments=[[11, 12]],

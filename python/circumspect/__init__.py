@@ -36,6 +36,8 @@ __all__ = [
     "minimize", "orient",
 ]
 
+# Claims about what is listed, which need not fill the hull of the points or a domain.
+ABOUT_LISTS = ("complex", "convex-hull", "surface-delaunay", "periodic-delaunay")
 OF_CAMPAIGNS = ("Campaign", "Finding", "campaign", "minimize")
 
 
@@ -71,8 +73,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         with a domain "plc-triangulation",
         "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has the
         points of the domain, else "steiner-cdt").
-    neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
-        judged by default.
+    neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too, of triangulations. Those of a
+        SciPy mesh are judged by default.
     weights: (n,), for "weighted-delaunay".
     domain: a Domain, a dictionary of its parts, a surface of triangles, or polygons with holes: a text of WKT or
         GeoJSON, a dictionary of GeoJSON, or a geometry of shapely.
@@ -121,8 +123,10 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
     merge = merges(duplicates)
     claim = claim or claim_of(points)
+    if neighbors is not None and claim in ABOUT_LISTS:
+        raise ValueError(f"expected no neighbors beside the claim {claim}, found some: they are judged of triangulations")
     if claim == "convex-hull":
-        points, simplices = facets_of(points, simplices)
+        simplices = facets_of(simplices)
     mesh = mesh_of(points, simplices, neighbors, weights)
     words = demands if isinstance(demands, str) else " ".join(demands)
     if faces is not None:
