@@ -33,6 +33,8 @@ def test_a_campaign_finds_each_kind_of_mistake(tmp_path):
     assert circumspect.campaign(lambda points: circumspect.delaunay(points), dimension=2, cases=50)
     again = circumspect.campaign(answer, dimension=2, cases=200)
     assert [finding.rule for finding in again.findings] == [finding.rule for finding in found.findings]
+    unused = rules["triangulation.unused-point"]
+    assert unused.rule in unused.report and np.array_equal(unused.simplices, [[0, 1, 2]])
     small = circumspect.minimize(answer, rules["raised"].original)
     assert small.rule == "raised" and len(small.points) == 6
     with pytest.raises(ValueError, match="it is right on them"):
@@ -42,6 +44,12 @@ def test_a_campaign_finds_each_kind_of_mistake(tmp_path):
         circumspect.campaign(7)
     with pytest.raises(ValueError, match="found 'nowhere'"):
         circumspect.campaign(answer, families=["nowhere"])
+
+
+def test_points_that_span_less_are_smaller_unless_they_are_not_wanted():
+    square = [[0, 0], [1, 0], [0, 1], [1, 1]]
+    assert len(circumspect.minimize(lambda points: 1 / 0, square).points) < 3
+    assert len(circumspect.minimize(lambda points: 1 / 0, square, flat=False).points) == 3
 
 
 def test_a_campaign_survives_crashes_and_hangs():
@@ -120,7 +128,7 @@ def test_what_functions_make_of_domains():
     holds(types.SimpleNamespace(points=np.column_stack([centre, np.zeros(5)]), cells_dict={"triangle": fan}))
     holds([[0, 1, 2], [0, 2, 3]], "conforming-delaunay")
     holds((centre + [[0, 1e-13], [0, 0], [0, 0], [0, 0], [0, 0]], fan), within=1e-9)
-    for made, rule in (((centre[:, :1], fan), "no-mesh"), ((centre, "fan"), "no-mesh"), (None, "no-mesh"),
+    for made, rule in (((centre, []), "triangulation.unused-point"), ((centre[:, :1], fan), "no-mesh"), ((centre, "fan"), "no-mesh"), (None, "no-mesh"),
                        (np.zeros((2, 3)), "no-mesh"), (([[0.5]], fan), "no-mesh")):
         assert circumspect.minimize(lambda domain, made=made: made, square, claim="steiner-cdt").rule == rule
     crossing = circumspect.Domain(square.points, [[0, 2], [1, 3]])
@@ -216,12 +224,14 @@ def test_numbers_that_no_campaign_can_use():
                              (lambda: circumspect.generate_domain("planar-grid", seed=2**64), "found 18446744073709551616"),
                              (lambda: circumspect.campaign(lambda points: [], seed=-1, cases=1), "found -1"),
                              (lambda: circumspect.check(points, [[0, 1, 2]], threads=2**32), "4096 threads, found 4294967296"),
+                             (lambda: circumspect.campaign(lambda points: [], cases=1, exponents=(0, 1024)), "found .0, 1024."),
                              (lambda: circumspect.minimize(lambda points: [], [[10**400, 0], [1, 0]]), "within the range of double"),
                              (lambda: circumspect.minimize(lambda points, weights: [], points, weights=[0, 1]), "one weight a point, 3, found 2"),
                              (lambda: circumspect.minimize(lambda points, weights: [], points, weights=[0, 1, float("nan")]),
                               "finite weights, found nan")):
         with pytest.raises(ValueError, match=message):
             refused()
+    assert circumspect.campaign(lambda points: circumspect.delaunay(points), cases=1, exponents=(0, 1023))
     with pytest.raises(circumspect.InputError, match="distinct points"):
         circumspect.minimize(lambda points: [], [*points, points[0]])
     with pytest.raises(TypeError, match="numbers as weights, found None"):

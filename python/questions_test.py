@@ -1,5 +1,6 @@
 """Hulls, surfaces, Voronoi diagrams and predicates in Python."""
 import decimal
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -74,6 +75,20 @@ def test_a_cell_without_a_corner_is_missing(dimension):
     sites, parts = 8 * np.eye(2, dimension), {"cells": [[-1], [-1]], "ridges": [[0, 1]], "ridge_vertices": [[-1]], "structure": True}
     assert circumspect.check_voronoi(sites, [], **parts).rules == {"voronoi.cell-missing": 2}
     assert len(circumspect.check_voronoi(sites, np.zeros((1, dimension)), **parts).rules) == 2
+
+
+def test_points_of_another_shape_are_refused():
+    for points in (np.zeros(6), np.zeros((3, 0)), np.zeros((3, 2, 1))):
+        with pytest.raises(ValueError, match=re.escape(f"expected points of shape (n, d), found {points.shape}")):
+            circumspect.check(points, [[0, 1, 2]])
+
+
+def test_a_diagram_without_sites_or_ridges():
+    with pytest.raises(ValueError, match="expected a cell for each of 0 sites, found 1"):
+        circumspect.check_voronoi([], [], [[]])
+    cells = [[0, 1, 4, 3], [1, 2, 5, 4]]
+    grid = [[x, y] for y in (0, 2) for x in (0, 2, 4)]
+    assert circumspect.check_voronoi([[1, 1], [3, 1]], grid, cells, box=[[0, 0], [4, 2]])
 
 
 def test_what_is_no_diagram_is_refused():

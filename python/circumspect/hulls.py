@@ -14,12 +14,8 @@ def claim_of(mesh: Any) -> Optional[str]:
     return "convex-hull" if is_hull(mesh) else None
 
 
-def facets_of(points: Any, facets: Any) -> tuple:
-    """(points, facets) of a hull. In the plane vertices in their cyclic order may be a flat list."""
+def facets_of(facets: Any) -> Any:
+    """The facets of a hull as rows. In the plane vertices in their cyclic order may be a flat list."""
     import numpy as np
 
-    if facets is None and is_hull(points):
-        return points.points, points.simplices
-    if facets is not None and np.ndim(facets) == 1 and np.size(facets):
-        return points, np.asarray(facets)[:, None]
-    return points, facets
+    return np.asarray(facets)[:, None] if facets is not None and np.ndim(facets) == 1 and np.size(facets) else facets
