@@ -37,7 +37,8 @@ def misread(verified, points):
     other = points.with_name("other.node")
     for announced, listed, message in (
             (count - 1, rows, "expected the end of the file"), (count + 1, rows, "expected point"),
-            (count + 1, [*rows, [str(first + count), *rows[0][1:]]], f"found point {first} and point {first + count} in one place"),
+            (count + 1, [*rows, [str(first + count), *rows[0][1:]]],
+             f"other.node:{count + 2}: expected distinct points, found point {first} and point {first + count} in one place"),
             (d, rows[:d], f"expected points that span the {'plane' if d == 2 else 'space'}, found {d} points that do not")):
         other.write_text("\n".join(" ".join(row) for row in [[str(announced), *header[1:]], *listed]) + "\n")
         run = ran(verified, "build", "delaunay", other)

@@ -13,6 +13,7 @@ import itertools
 import pathlib
 import random
 import re
+import subprocess
 import sys
 import tempfile
 
@@ -194,6 +195,20 @@ def unreadable(text):
             yield place + 1, with_line(text, place, line + " 1")
 
 
+def faults(text):
+    """What is malformed, and all that is said of it: the answer, the .poly file, and the .node file beside it."""
+    rows, is_plane = text.splitlines(), text == PLANE
+    lists = 1 + int(rows[0].split()[0])  # the header of segments or facets
+    own, elsewhere = "\n".join([*rows[:lists], ""]), "\n".join(["0", *rows[lists:], ""])
+    expected = f"expected '{'SEGMENTS' if is_plane else 'FACETS'} [MARKERS]', found 3 numbers"
+    yield f"malformed: {{poly}}:{lists + 1}: {expected}", with_line(text, lists, rows[lists] + " 1"), None
+    yield f"malformed: {{poly}}:2: {expected}", with_line(elsewhere, 1, rows[lists] + " 1"), own
+    yield "malformed: {node}:1: expected 'POINTS DIMENSION [ATTRIBUTES [MARKERS]]', found 1 numbers", elsewhere, "0\n"
+    yield "malformed: {node}:2: expected an integer, found 'x'", elsewhere, with_line(own, 1, "x 0 0")
+    if is_plane:
+        yield f"malformed: {{poly}}:{lists + 2}: expected 4 columns, found 5", with_line(text, lists + 1, rows[lists + 1] + " 1"), None
+
+
 def hold(programs, folder, text):
     """How many files were tried."""
     poly, ele, certificate = folder / "own.poly", folder / "own.ele", folder / "own.cert"
@@ -212,6 +227,8 @@ def hold(programs, folder, text):
 
     said = programs.answer(certificate, "--hole", "1,,2", poly)
     assert said[1] == 2 and "expected --hole X,Y,Z" in said[0], said
+    said = subprocess.run([programs.verified, "--help"], capture_output=True, text=True, check=True).stdout
+    assert said.startswith("usage: circumspect-verified "), said
     for how, *files in the_same(text):
         line = answer(*files)
         assert line.startswith("verified: cdt"), f"{how}: expected 'verified', found '{line}':\n{files[0]}"
@@ -224,6 +241,15 @@ def hold(programs, folder, text):
         line = answer(changed)
         assert re.fullmatch(f"malformed: {re.escape(str(other))}:{place}: expected .*, found (['0-9].*|(other|more) numbers)", line), f"expected a fault in line {place}, found '{line}':\n{changed}"
         tried += 1
+    for said, *files in faults(text):
+        assert answer(*files) == said.format(poly=other, node=beside), f"expected {said}, found {answer(*files)}"
+        tried += 1
+    if text == PLANE:
+        line = programs.answer(certificate, "--hole", "4,25", poly)[0]
+        assert line.startswith("verified: cdt") and line.endswith(f": {poly} --hole 4,25"), line
+        other.write_text(text.replace(HOLES, f"3{HOLES[1:]}5 7 5\n"))
+        line = programs.answer(certificate, "--hole", "5,9", other)[0]
+        assert f"{len(text[:text.index(HOLES)].splitlines()) + 4}: found the hole point (7 5)" in line, f"expected the file's own hole point first, found {line}"
     return tried + hold_faces(programs, folder, text)
 
 
@@ -258,6 +284,22 @@ def hold_faces(programs, folder, text):
         assert line.startswith("rejected: another mesh, ") and f"{place}: found " in line, f"{beside.name} {rows}: expected a refusal, found '{line}'"
         tried += 1
     return tried
+
+
+def hold_refuted(programs, folder):
+    """A refutation that is about a segment to a vertex which the user's domain does not have."""
+    poly, ele, certificate = folder / "refuted.poly", folder / "own.ele", folder / "refuted.cert"
+    (folder / "own.poly").write_text(PLANE)
+    programs.run("build", "cdt", folder / "own.poly", "-o", ele, "--quiet").check_returncode()
+    poly.write_text(PLANE.replace("13 2 1 1\n", "14 2 1 1\n").replace("15 6 20 .5 0\n", "15 6 20 .5 0\n16 7 21 .5 0\n"))
+    programs.run("certify", ele, "--domain", poly, "--claim", "cdt", "--quiet", "-o", certificate)
+    own = certificate.read_text()
+    assert programs.answer(certificate, poly)[0].startswith("verified: not cdt, domain.vertex-missing"), own
+    for ends in ("1 15", "15 1"):
+        certificate.write_text(own.replace("segments 12\n", f"segments 13\n{ends}\n"))
+        assert programs.answer(certificate)[0].startswith("verified: not cdt, domain.vertex-missing"), certificate.read_text()
+        line = programs.answer(certificate, poly)[0]
+        assert line.endswith("expected 14 vertices, found a segment with another"), f"expected another domain, found '{line}'"
 
 
 # Meshes of corpus/domains beside their domains, and claims that hold.
@@ -327,8 +369,9 @@ def hold_domains(programs, folder):
 def main():
     programs = [pathlib.Path(name).resolve() for name in sys.argv[1:3]]
     with tempfile.TemporaryDirectory() as scratch:
-        asked = forgeries.Programs(*programs)
-        tried = sum(hold(asked, pathlib.Path(scratch), text) for text in (PLANE, SPACE)) + hold_domains(asked, pathlib.Path(scratch))
+        asked, folder = forgeries.Programs(*programs), pathlib.Path(scratch)
+        tried = sum(hold(asked, folder, text) for text in (PLANE, SPACE)) + hold_domains(asked, folder)
+        hold_refuted(asked, folder)
     print(f"{tried} files of domains: a certificate is verified beside the user's own alone")
 
 

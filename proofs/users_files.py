@@ -224,6 +224,10 @@ def hold_orders(programs, folder):
         assert not is_verified(), f"{name}: expected a refusal of one simplex more"
         tried += 3
     node.write_text(RING)
+    ele.write_text("3 1\n0 0\n1 1\n2 2\n")
+    programs.run("certify", ele, "--claim", "complex", "--quiet", "-o", certificate)
+    assert is_verified(), "three vertices"
+    tried += 1
     for claim in ("complex", "triangulation"):
         ele.write_text("3 2\n0 0 1\n1 1 2\n2 2 0\n")
         programs.run("certify", ele, "--claim", claim, "--quiet", "-o", certificate)
@@ -256,26 +260,69 @@ def certificates_of_each_kind():
     return list(kinds.values())
 
 
+# They begin with a word that stands nowhere else, and a file cannot do without them.
+LINES = ("scale", "spans", "sample", "because", "end")
+
+
 def hold_lines(programs, folder):
-    """How many slips were tried: behind each line that begins with a word, and behind the one after it, which may be a row."""
+    """How many slips were tried, at each line that begins with a word and at the one after it, which may be a row: a word behind it, a
+    word in place of its first one, and the end of the file before it."""
     path, tried = folder / "slip.cert", 0
     kinds = certificates_of_each_kind()
     assert len(kinds) > 60, len(kinds)
+
+    def expect_fault(line, fault, *lines):
+        nonlocal tried
+        path.write_text("\n".join([*lines, ""]))
+        said = programs.answer(path)[0]
+        assert re.fullmatch(f"malformed: {re.escape(str(path))}:{line}: expected {fault}", said), f"expected {fault} in line {line}, found '{said}':\n" + "\n".join(lines)
+        tried += 1
+
     for lines in kinds:
         named = [k for k, line in enumerate(lines) if line[:1].isalpha()]
         for k in sorted({*named, *(k + 1 for k in named[:-1])}):
-            path.write_text("\n".join([*lines[:k], lines[k] + " x", *lines[k + 1:], ""]))
-            said = programs.answer(path)[0]
-            assert said.startswith(f"malformed: {path}:{k + 1}: expected ") and re.search(", found ['0-9]", said), f"{lines[1]} with a word behind line {k + 1}: {said}"
-            tried += 1
-        path.write_text("\n".join([*lines, "end", ""]))
-        said = programs.answer(path)[0]
-        assert said.startswith(f"malformed: {path}:{len(lines) + 1}: expected nothing after 'end'"), f"{lines[1]} with two ends: {said}"
+            expect_fault(k + 1, "(?!'x).*, found ['0-9].*", *lines[:k], lines[k] + " x", *lines[k + 1:])
+            expect_fault(k + 1, "(?!'x).*, found 'x.*", *lines[:k], " ".join(["x", *lines[k].split()[1:]]), *lines[k + 1:])
+            word = lines[k].split()[0]
+            begins = f"'{word}" if word in LINES else ""
+            expect_fault(k + 1, f"{begins}.*, found the end of the file", *lines[:k])
+        expect_fault(len(lines) + 1, "nothing after 'end', found 'end'", *lines, "end")
+    expect_fault(2, "the dimension, 2 or 3, found '4'", "", "circumspect-certificate 1 delaunay 4")
+    most = " ".join(map(str, range(1, 65)))
+    for lines, k, word in ((lines, k, line.split()[0]) for lines in kinds for k, line in enumerate(lines)):
+        around = lines[:k], lines[k + 1:]
+        if word == "reach":
+            expect_fault(k + 1, "at most 64 integers, found 65", *around[0], f"reach 0 {most}", *around[1])
+            path.write_text("\n".join([*around[0], f"reach {most}", *around[1], ""]))
+            assert not programs.answer(path)[0].startswith("malformed"), f"{lines[1]} with 64 integers"
+        if word == "simplices" and " delaunay" in lines[1] and "certificate" in lines[1]:  # nothing is number 0
+            row = next(j for j in range(k + 1, len(lines)) if lines[j].split()[0] == "1")
+            path.write_text("\n".join([*lines[:row], "0" + lines[row][1:], *lines[row + 1:], ""]))
+            assert programs.answer(path)[0].startswith("rejected: "), f"{lines[row]}: {programs.answer(path)}"
+        if word == "because":  # evidence of a vertex that no simplex has
+            for column in range(1, len(lines[k].split())):
+                row = lines[k].split()
+                row[column] = "99"
+                path.write_text("\n".join([*around[0], " ".join(row), *around[1], ""]))
+                assert programs.answer(path)[0].startswith(("rejected: ", "verified: ", "malformed: ")), f"{lines[1]}: {row}"
+        if word == "spans" and lines[1].endswith(" flat"):
+            for numbers in ("", "1 2 3 4"):
+                expect_fault(k + 1, f"1 to {lines[1].split()[3]} points, found {len(numbers.split())}", *around[0], f"spans {numbers}", *around[1])
     for name in ("-", "/dev/stdin"):  # more than a pipe holds, and of no length that is known
         whole = "\n".join([*kinds[0][:3], "#" * 200000, *kinds[0][3:], ""])
         run = subprocess.run([programs.verified, name], input=whole, capture_output=True, text=True, check=False)
         assert run.stdout.startswith("verified"), run.stdout
     return tried + 2
+
+
+def hold_weights(programs, folder):
+    """Of the claims only that about weighted triangulations is about weights: the mesh of any other certificate has none, and beside
+    it attributes of points say nothing."""
+    for lines in certificates_of_each_kind():
+        path = folder / "any.cert"
+        path.write_text("\n".join([*lines, ""]))
+        run = subprocess.run([programs.verified, "--mesh", path], capture_output=True, text=True, check=False)
+        assert run.returncode == 0 and ('"weights"' in run.stdout) == (lines[1].split()[2] == "weighted-delaunay"), f"{lines[1]}: {run.stdout}"
 
 
 def main():
@@ -285,6 +332,7 @@ def main():
         asked = forgeries.Programs(*programs)
         tried = sum(hold(asked, folder, *one) for one in SETS) + hold_decimals(asked, folder) + hold_orders(asked, folder)
         slips = hold_lines(asked, folder)
+        hold_weights(asked, folder)
     print(f"{tried} pairs of files: a certificate is verified beside the user's own alone; {slips} slips in certificates")
 
 

@@ -5,6 +5,8 @@ open Content
 exception Usage of string
 (* Nobody could be told. *)
 exception Untold
+(* A file that another one names is malformed: which, where, and what was expected and found. *)
+exception Malformed_beside of string * int * string
 
 let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [--hole X,Y,Z] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
@@ -48,6 +50,8 @@ let read_file name =
     Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> read_known channel)
   end
 
+let malformed_line name line message = Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message
+
 (* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
    line if it is another.  It names every file that was read. *)
 let of_users_files ~exactly ~further_holes mesh poly content =
@@ -64,15 +68,18 @@ let of_users_files ~exactly ~further_holes mesh poly content =
                (String.escaped message), 3)
     | exception Users_mesh.Another how ->
       Error (Printf.sprintf "rejected: another %s, %s:%s" what (String.escaped name) how, 1)
-    | exception Text.Malformed (line, message) ->
-      Error (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3) in
+    | exception Text.Malformed (line, message) -> Error (malformed_line name line message, 3)
+    | exception Malformed_beside (beside, line, message) -> Error (malformed_line beside line message, 3) in
   let of_domain name = match content.compare_domain with
     | None -> Error (Printf.sprintf "rejected: another domain, %s: the certificate is about none" (String.escaped name), 1)
     | Some compare_domain ->
       compared "domain" name (fun () ->
           let source = text_of name in
           let points_elsewhere () =
-            Users_domain.points ~exactly (text_of (Filename.remove_extension name ^ ".node")) in
+            let node = Filename.remove_extension name ^ ".node" in
+            let source = text_of node in
+            try Users_domain.points ~exactly source
+            with Text.Malformed (line, message) -> raise (Malformed_beside (node, line, message)) in
           compare_domain points_elsewhere ~further_holes:(List.map snd further_holes) ~exactly source) in
   let ( let* ) = Result.bind in
   (* MESH.face and MESH.edge, those that there are, and what dangles in MESH.ele. *)

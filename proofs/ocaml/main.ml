@@ -10,8 +10,7 @@
 let build_delaunay ~exactly name =
   match Construction.delaunay ~exactly (Text.of_string (Answer.read_file name)) with
   | rows -> (rows, 0)
-  | exception Text.Malformed (line, message) ->
-    (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3)
+  | exception Text.Malformed (line, message) -> (Answer.malformed_line name line message, 3)
   | exception Sys_error message ->
     (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name) (String.escaped message), 3)
 

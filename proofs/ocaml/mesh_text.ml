@@ -39,7 +39,7 @@ let print (mesh : Users_mesh.mesh) =
   let vertex = function
     | Some v when v >= 1 && v <= Array.length place -> string_of_int (first + place.(v - 1))
     | _ -> string_of_int (first + n) in
-  print_each mesh.simplices.count (fun k -> listed (List.map vertex (mesh.simplices.vertices k)));
+  print_each mesh.simplices.count (fun k -> listed (List.rev (List.rev_map vertex (mesh.simplices.vertices k))));
   (match mesh.dangling with
    | Some (_ :: _ as dangling) ->
      print_string "],\n\"faces\": [";
