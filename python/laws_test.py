@@ -68,7 +68,7 @@ def test_neighbors_of_a_mesh_count_and_those_that_are_given_count_more():
         assert bool(circumspect.check(mesh, neighbors=given)) == (given is right)
 
 
-@pytest.mark.parametrize("claim", ["complex", "convex-hull", "surface-delaunay", "periodic-delaunay"])
+@pytest.mark.parametrize("claim", ["complex", "convex-hull", "surface-delaunay"])
 def test_neighbors_are_refused_where_nothing_judges_them(claim):
     with pytest.raises(ValueError, match=f"expected no neighbors beside the claim {claim}"):
         circumspect.check(POINTS, SIMPLICES, claim, neighbors=neighbors_of(SIMPLICES))

@@ -123,11 +123,11 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
     merge = merges(duplicates)
     claim = claim or claim_of(points)
-    if neighbors is not None and claim in ABOUT_LISTS:
-        raise ValueError(f"expected no neighbors beside the claim {claim}, found some: they are judged of triangulations")
     if claim == "convex-hull":
         simplices = facets_of(simplices)
     mesh = mesh_of(points, simplices, neighbors, weights)
+    if neighbors is None and claim in ABOUT_LISTS:  # what a SciPy object brings along
+        mesh = mesh._replace(neighbors=None)
     words = demands if isinstance(demands, str) else " ".join(demands)
     if faces is not None:
         if claim != "complex" and domain is None:
