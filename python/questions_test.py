@@ -88,7 +88,8 @@ def test_a_diagram_without_sites_or_ridges():
         circumspect.check_voronoi([], [], [[]])
     cells = [[0, 1, 4, 3], [1, 2, 5, 4]]
     grid = [[x, y] for y in (0, 2) for x in (0, 2, 4)]
-    assert circumspect.check_voronoi([[1, 1], [3, 1]], grid, cells, box=[[0, 0], [4, 2]])
+    for ridges in ((), np.zeros((0, 2))):
+        assert circumspect.check_voronoi([[1, 1], [3, 1]], grid, cells, ridges, box=[[0, 0], [4, 2]])
 
 
 def test_what_is_no_diagram_is_refused():
