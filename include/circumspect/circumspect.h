@@ -97,8 +97,8 @@ typedef struct circumspect_mesh {
   int64_t vertices_of_simplex;          /* d+1; k+1 where the points span a flat of dimension k */
   int64_t index_bytes;                  /* 4 (the default): int32_t; 8: int64_t */
   const void* simplices;                /* m·vertices_of_simplex indices of points, from 0 */
-  const void*
-      neighbors; /* NULL, or the simplex opposite each vertex, −1 for none; of triangulations */
+  /* NULL, or the simplex opposite each vertex, −1 for none; for claims about triangulations. */
+  const void* neighbors;
   /* For a mesh of a domain, and for the demand "faces" of "complex": triangles (in space) and edges
    * that a program lists beside the simplices. */
   int64_t triangle_count;
@@ -135,7 +135,7 @@ typedef struct circumspect_domain {
   const double* coordinates;
   const char* const* exact_coordinates;
   int64_t segment_count;
-  const int64_t* segments; /* two indices of points each */
+  const int64_t* segments;       /* two indices of points each */
   int64_t polygon_count;
   const int64_t* polygon_starts; /* polygon_count + 1, ascending from 0 */
   const int64_t* line_starts;    /* as many as there are lines, + 1, ascending from 0 */
