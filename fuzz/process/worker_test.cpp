@@ -253,9 +253,9 @@ TEST_CASE("time in which no processor is free is not a program's own") {
   while (!std::filesystem::exists(others.folder.path("work/begun"))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  // Three processes one after the other, a fifth of a second together. What each of them waits after
-  // the last look at it is not known, a tenth of a second or two on a busy machine: the limit leaves
-  // room for it.
+  // Three processes one after the other, a fifth of a second together. What each of them waits
+  // after the last look at it is not known, a tenth of a second or two on a busy machine: the
+  // limit leaves room for it.
   WorkerTrial trial;
   trial.limits.seconds = 1;
   const Ended ended = on_one_processor(
