@@ -21,6 +21,7 @@
 #include "oracle/judge/periodic/unfolded.hpp"
 #include "oracle/judge/quality/judge_quality.hpp"
 #include "oracle/judge/within/judge_within.hpp"
+#include "oracle/model/claim.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"

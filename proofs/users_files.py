@@ -7,7 +7,8 @@ Drawn point sets are meshed and certified. Beside files that spell the same numb
 It is not where a number is another one, a row is missing or added, or a header announces one row too many or too few; nor
 where decimals are taken at their word and the certificate took them for doubles, or the other way round.
 
-Of every kind of file that is read, a word behind any line is malformed, and the answer names the file and the line.
+Of every kind of file that is read, a word behind any line or in place of its first one is malformed, and the answer names the file
+and the line.
 """
 import pathlib
 import re
@@ -288,28 +289,6 @@ def hold_lines(programs, folder):
             expect_fault(k + 1, f"{begins}.*, found the end of the file", *lines[:k])
         expect_fault(len(lines) + 1, "nothing after 'end', found 'end'", *lines, "end")
     expect_fault(2, "the dimension, 2 or 3, found '4'", "", "circumspect-certificate 1 delaunay 4")
-    most = " ".join(map(str, range(1, 65)))
-    for lines, k, word in ((lines, k, line.split()[0]) for lines in kinds for k, line in enumerate(lines)):
-        around = lines[:k], lines[k + 1:]
-        if word == "reach":
-            expect_fault(k + 1, "at most 64 integers, found 65", *around[0], f"reach 0 {most}", *around[1])
-            path.write_text("\n".join([*around[0], f"reach {most}", *around[1], ""]))
-            assert not programs.answer(path)[0].startswith("malformed"), f"{lines[1]} with 64 integers"
-        if word == "simplices" and " delaunay" in lines[1] and "certificate" in lines[1]:  # nothing is number 0
-            row = next(j for j in range(k + 1, len(lines)) if lines[j].split()[0] == "1")
-            path.write_text("\n".join([*lines[:row], "0" + lines[row][1:], *lines[row + 1:], ""]))
-            assert programs.answer(path)[0].startswith("rejected: "), f"{lines[row]}: {programs.answer(path)}"
-        if word == "points" and lines[1].startswith("circumspect-certificate 1 delaunay"):  # each is the user's
-            expect_fault(k + 2, ".*, found '-'", *lines[:k + 1], " ".join([*lines[k + 1].split()[:-1], "-"]), *lines[k + 2:])
-        if word == "because":  # evidence of a vertex that no simplex has
-            for column in range(1, len(lines[k].split())):
-                row = lines[k].split()
-                row[column] = "99"
-                path.write_text("\n".join([*around[0], " ".join(row), *around[1], ""]))
-                assert programs.answer(path)[0].startswith(("rejected: ", "verified: ", "malformed: ")), f"{lines[1]}: {row}"
-        if word == "spans" and lines[1].endswith(" flat"):
-            for numbers in ("", "1 2 3 4"):
-                expect_fault(k + 1, f"1 to {lines[1].split()[3]} points, found {len(numbers.split())}", *around[0], f"spans {numbers}", *around[1])
     for name in ("-", "/dev/stdin"):  # more than a pipe holds, and of no length that is known
         whole = "\n".join([*kinds[0][:3], "#" * 200000, *kinds[0][3:], ""])
         run = subprocess.run([programs.verified, name], input=whole, capture_output=True, text=True, check=False)
@@ -317,9 +296,40 @@ def hold_lines(programs, folder):
     return tried + 2
 
 
+def hold_limits(programs, folder):
+    """Numbers and lists at the ends of what a certificate may have, and beyond them. How many were tried."""
+    path, tried = folder / "limit.cert", 0
+    most = " ".join(map(str, range(1, 65)))
+
+    def expect(answer, lines, place, row):
+        nonlocal tried
+        path.write_text("\n".join([*lines[:place], row, *lines[place + 1:], ""]))
+        said = programs.answer(path)[0]
+        assert re.match(answer.format(line=f"malformed: {re.escape(str(path))}:{place + 1}: expected"), said), f"{lines[1]} with '{row}': {said}"
+        tried += 1
+
+    for lines, k in ((lines, k) for lines in certificates_of_each_kind() for k in range(2, len(lines))):
+        word, *numbers = lines[k].split()
+        is_delaunay = lines[1].startswith("circumspect-certificate 1 delaunay")
+        if word == "reach":
+            expect("{line} at most 64 integers, found 65$", lines, k, f"reach 0 {most}")
+            expect("(?!malformed)", lines, k, f"reach {most}")
+        if word == "simplices" and is_delaunay:  # nothing is number 0
+            row = next(j for j in range(k + 1, len(lines)) if lines[j].split()[0] == "1")
+            expect("rejected: ", lines, row, "0" + lines[row][1:])
+        if word == "points" and is_delaunay:  # each is the user's
+            expect("{line} .*, found '-'$", lines, k + 1, " ".join([*lines[k + 1].split()[:-1], "-"]))
+        if word == "because":  # also what no simplex has is answered
+            for column in range(len(numbers)):
+                expect("rejected: |verified: |malformed: ", lines, k, " ".join(["because", *numbers[:column], "99", *numbers[column + 1:]]))
+        if word == "spans" and lines[1].endswith(" flat"):
+            for few in ("", "1 2 3 4"):
+                expect(f"{{line}} 1 to {lines[1].split()[3]} points, found {len(few.split())}$", lines, k, f"spans {few}")
+    return tried
+
+
 def hold_weights(programs, folder):
-    """Of the claims only that about weighted triangulations is about weights: the mesh of any other certificate has none, and beside
-    it attributes of points say nothing."""
+    """Only the mesh of a certificate about weighted triangulations has weights."""
     for lines in certificates_of_each_kind():
         path = folder / "any.cert"
         path.write_text("\n".join([*lines, ""]))
@@ -333,7 +343,7 @@ def main():
         folder = pathlib.Path(scratch)
         asked = forgeries.Programs(*programs)
         tried = sum(hold(asked, folder, *one) for one in SETS) + hold_decimals(asked, folder) + hold_orders(asked, folder)
-        slips = hold_lines(asked, folder)
+        slips = hold_lines(asked, folder) + hold_limits(asked, folder)
         hold_weights(asked, folder)
     print(f"{tried} pairs of files: a certificate is verified beside the user's own alone; {slips} slips in certificates")
 

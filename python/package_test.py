@@ -311,6 +311,12 @@ def test_references_and_comparisons():
     assert "refutation" in circumspect.certify(POINTS, WRONG).split("\n")[0]
 
 
+def test_points_of_another_shape_are_refused():
+    for points in (np.zeros(6), np.zeros((3, 0)), np.zeros((3, 2, 1))):
+        with pytest.raises(ValueError, match=re.escape(f"expected points of shape (n, d), found {points.shape}")):
+            circumspect.check(points, [[0, 1, 2]])
+
+
 def test_families():
     families = circumspect.families()
     assert {"sphere", "grid+ulp", "protected-solids"} <= {family.name for family in families}
