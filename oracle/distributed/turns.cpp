@@ -149,7 +149,6 @@ class Parts {
       arrived_ = 0;
       ++meetings_;
       changed_.notify_all();
-      if (failure_) throw AnotherHasFailed();
       return;
     }
     --running_;
