@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/dice.hpp"
+#include "oracle/judge/cause/bare_facets.hpp"
 #include "oracle/judge/cause/planted_faults_test.hpp"
 
 namespace circumspect::check {
@@ -166,7 +167,7 @@ TEST_CASE("causes: a simplex that is missing, inside and at the hull") {
   Lists corner = grid<2>(4);
   std::erase_if(corner.simplices, [](const Simplex& simplex) { return contains(simplex, 3); });
   CHECK(named(corner, Claim::kDelaunay) ==
-        "missing-simplex: 1 triangle is missing: 2 7 3 fills the hole");
+        "missing-simplex: 1 triangle is missing: 2 3 7 fills the hole");
   corner = grid<2>(4);
   std::erase_if(corner.simplices, [](const Simplex& simplex) {
     return contains(simplex, 0) || contains(simplex, 15);
@@ -282,6 +283,11 @@ TEST_CASE("causes: indices that name no points are never looked up") {
     }
   }
   CHECK(told > 50);
+  const Mesh mesh = in_arrays(grid<2>(3));
+  for (const Vertex other : {Vertex{-1}, Vertex{9}, kFar}) {
+    CHECK(orientation_in(mesh, Simplex{0, 1, other}) == 0);
+    CHECK(orientation_in(mesh, Simplex{other, 0, 1}) == 0);
+  }
 }
 
 }  // namespace

@@ -90,22 +90,18 @@ class Holes {
   // Those between two or more bare facets that no others are joined to.
   std::vector<Simplex> open() {
     std::map<std::size_t, std::set<Vertex>> groups;
-    std::map<std::size_t, std::size_t> sizes;
     for (std::size_t i = 0; i < bare_.size(); ++i) {
       const Simplex& facet = bare_.vertices(i);
       groups[joined_.find(i)].insert(facet.begin(), facet.end());
-      ++sizes[joined_.find(i)];
     }
     std::vector<Simplex> found;
     for (const auto& [group, vertices] : groups) {
-      if (sizes[group] > 1 && vertices.size() == corners_) {
-        found.emplace_back(vertices.begin(), vertices.end());
-      }
+      if (vertices.size() == corners_) found.emplace_back(vertices.begin(), vertices.end());
     }
     return found;
   }
 
-  // Those that join a point without a simplex to the only bare facet that it is beyond.
+  // Those, ascending, that join a point without a simplex to the only bare facet that it is beyond.
   std::vector<Simplex> at(const std::vector<Vertex>& unused) const {
     std::vector<Simplex> found;
     for (const Vertex v : unused) {
@@ -116,8 +112,9 @@ class Holes {
         ++count;
       }
       if (count != 1) continue;
-      found.push_back(bare_.vertices(only));
-      found.back().push_back(v);
+      Simplex simplex = bare_.vertices(only);
+      simplex.push_back(v);
+      found.push_back(sorted(std::move(simplex)));
     }
     return found;
   }

@@ -43,22 +43,20 @@ class Star {
         facets_.insert(sorted(std::move(facet)));
       }
       for (const Simplex& facet : facets_) link_.insert(facet.begin(), facet.end());
-      for (std::size_t s = 0; s < view.size() && size() <= kMostInStar; ++s)
+      for (std::size_t s = 0; s < view.size() && facets_.size() <= kMostInStar; ++s) {
         add_across(view.row(s));
+      }
     });
   }
 
-  std::size_t size() const { return facets_.size(); }
-
   // A place for the vertex at which its simplices fit to those across: the middle of its
-  // neighbours.
-  // Nothing if they do not fit there, or do already.
+  // neighbours. Nothing if they do not fit there, or do already, or if the star is too large.
   std::optional<Point> better_place() const {
-    if (facets_.empty() || size() > kMostInStar || across_.empty()) return std::nullopt;
+    if (fits_at(mesh_.point(vertex_))) return std::nullopt;
     std::vector<Point> around;
     for (const Vertex v : link_) around.push_back(mesh_.point(v));
     const Point middle = barycentre(around);
-    if (fits_at(mesh_.point(vertex_)) || !fits_at(middle)) return std::nullopt;
+    if (!fits_at(middle)) return std::nullopt;
     return middle;
   }
 

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/cause/planted_faults_test.hpp"
+#include "oracle/judge/cause/surface_edges.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -91,6 +92,21 @@ Lists split(const Rational& moved) {
     }
   }
   return lists;
+}
+
+TEST_CASE("causes: what repeats a vertex or names no points is no triangle with edges") {
+  const std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const std::vector<Simplex> none = {{0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {2, 2, 2}, {0, 1, 3}};
+  CHECK(edge_uses(listed_mesh(points, none)).empty());
+  std::vector<Simplex> one = none;
+  one.insert(one.begin(), {2, 0, 1});
+  const std::vector<EdgeUse> uses = edge_uses(listed_mesh(points, one));
+  REQUIRE(uses.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(uses[i].low == (i == 2 ? 1 : 0));
+    CHECK(uses[i].high == (i == 0 ? 1 : 2));
+    CHECK(uses[i].goes_up == (i != 1));
+  }
 }
 
 TEST_CASE("causes: cracks of a surface") {

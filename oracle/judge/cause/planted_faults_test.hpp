@@ -117,6 +117,8 @@ inline std::vector<Cause> causes_of(const Lists& lists, Claim claim, const Optio
   std::size_t all = 0, of_all = 0;
   for (const auto& [rule, tally] : verdict->tallies()) all += tally.count;
   for (const Cause& cause : found) {
+    CHECK(cause.name.find(' ') == std::string::npos);
+    CHECK(cause.words.find(' ') != std::string::npos);
     CHECK(0 < cause.explains);
     CHECK(cause.explains <= cause.of);
     CHECK(cause.of_listed == (cause.of < all));

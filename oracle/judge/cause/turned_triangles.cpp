@@ -54,8 +54,6 @@ Sides sides_of(const Neighbours& neighbours) {
 }  // namespace
 
 std::optional<Cause> turned_triangles(Case& of) {
-  const auto& complex = of.verdict().complex;
-  if (!complex || complex->dimension != 2) return std::nullopt;
   Neighbours neighbours(of.mesh().simplices.size());
   std::size_t places = 0;
   for_each_edge(edge_uses(of.mesh()), [&](std::span<const EdgeUse> uses) {
@@ -65,7 +63,8 @@ std::optional<Cause> turned_triangles(Case& of) {
     neighbours[uses[1].triangle].push_back({uses[0].triangle, is_turned});
     places += is_turned ? 1 : 0;
   });
-  // Triangles that were set apart are compared here, but not by the claim.
+  // Triangles that were set apart are compared here, but not by the claim; and what is no triangle
+  // is not compared here.
   if (places != of.count(Rule::kNotOriented)) return std::nullopt;
   const Sides sides = sides_of(neighbours);
   if (!sides.are_two) {
