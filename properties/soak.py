@@ -8,7 +8,7 @@ What runs are the tests that ctest labels `property` or `soak`, as many at a tim
 that try inputs one by one share the time: each is told its seconds (CIRCUMSPECT_SECONDS, `has_time` in
 properties/arguments/run.hpp), begins with another of its test cases each time, and says how many of its inputs it
 tried. These are doctest's and those with the label `timed`. The others run whole, or not at all: the totals know how
-long they took, and those run, the shortest first, that together take no more than half of the time. What is left of
+long they took the last time, and those run, the shortest first, that together take no more than half of the time. What is left of
 the time begins another round of the first kind.
 
 When the time is up, the tests that are running are stopped and count as cut off, neither passed nor failed. So does one that
@@ -37,7 +37,7 @@ import tempfile
 import time
 
 TOTALS = pathlib.Path(__file__).with_name("soak.tsv")
-HEADER = "# What all soaks did: test, runs, inputs, faults, seconds of the longest whole run"
+HEADER = "# What all soaks did: test, runs, inputs, faults, seconds that it takes whole"
 # Of the time that is left, what the programs of a round are told to take: they end a little late.
 SHARE = 0.9
 # How often it says what it has done so far: so many times, and at most once a minute.
@@ -140,7 +140,7 @@ class Soak:
         self.waiting = self.divisible + self.waiting
 
     def seconds_of(self, test):
-        """Seconds that it took when it ran whole. A new one is tried."""
+        """Seconds that it took when it last ran whole. A new one is tried."""
         return self.totals.get(test.name, [0, 0, 0, 0])[3] or self.trial
 
     def left(self):
@@ -199,8 +199,10 @@ class Soak:
         row[0] += 1
         row[1] += sum(tried for tried, _ in inputs)
         row[2] += bool(why)
-        if not test.divisible and not why:
-            row[3] = max(row[3], round(2 * seconds if is_cut else seconds))
+        if not test.divisible and is_cut:
+            row[3] = max(row[3], round(2 * seconds))
+        elif not test.divisible and not why and code != test.skipped:
+            row[3] = round(seconds)
         if why:
             self.failed = True
             test.said = "FAILED"

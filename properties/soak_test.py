@@ -64,8 +64,14 @@ def test_all_run_and_say_what_they_did(folder):
     runs, inputs, faults, seconds = folder.totals()["timed"]
     assert runs >= 1 and 1 <= inputs <= 10 * runs and faults == 0 and seconds == 0
     assert folder.totals()["whole"] == [1, 0, 0, 1]
-    folder.soak()
-    assert folder.totals()["whole"] == [2, 0, 0, 1]
+
+
+def test_what_a_whole_one_took_the_last_time_counts(folder):
+    folder.add("whole", "#!/bin/sh\nsleep 0.2\n")
+    folder.add("skipped", "#!/bin/sh\nexit 77\n", facts='LABELS "soak" SKIP_RETURN_CODE 77')
+    (folder.root / "soak.tsv").write_text("# what all soaks did\nskipped\t1\t0\t0\t1\nwhole\t1\t0\t0\t2\n")
+    assert folder.soak().returncode == 0
+    assert folder.totals()["whole"] == [2, 0, 0, 0] and folder.totals()["skipped"] == [2, 0, 0, 1]
 
 
 def test_one_that_is_too_long_is_left_out(folder):
