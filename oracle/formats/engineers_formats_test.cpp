@@ -55,8 +55,12 @@ TEST_CASE("su2: in the plane, with settings that are skipped") {
                              kDouble);
   REQUIRE(file);
   CHECK(file->points.points[2] == Point{0, Rational(1, 3)});
-  CHECK(is_su2_keyword("NDIME=2"));
-  CHECK(!is_su2_keyword("%"));
+  CHECK(is_su2("NDIME=2"));
+  CHECK(is_su2("%\n% Problem dimension\n%\n  NDIME= 2\n"));
+  CHECK(is_su2("% two of them\nNZONE= 2\n"));
+  CHECK(!is_su2("% NDIME= 2\n"));
+  CHECK(!is_su2("% a comment\nNDEF= 2\n"));
+  CHECK(!is_su2(""));
 }
 
 TEST_CASE("su2: markers of periodic boundaries list vertices that are sent") {

@@ -198,7 +198,7 @@ bool begins_as_vtk(const Beginning& file) { return is_vtk(file.text); }
 bool begins_as_vtu(const Beginning& file) { return is_vtu(file.text); }
 bool begins_as_dolfin(const Beginning& file) { return is_dolfin(file.text); }
 bool begins_as_xdmf(const Beginning& file) { return is_xdmf(file.text); }
-bool is_su2(const Beginning& file) { return is_su2_keyword(file.first_token); }
+bool begins_as_su2(const Beginning& file) { return is_su2(file.text); }
 bool is_tet(const Beginning& file) { return file.second_token == "vertices"; }
 bool is_obj(const Beginning& file) { return is_obj_keyword(file.first_token); }
 bool is_ply(const Beginning& file) { return file.first_token == "ply"; }
@@ -271,7 +271,7 @@ constexpr std::array kFormats = {
     Format{.endings = {".unv"}, .is_told = is_unv, .elements = read_unv},
     Format{.endings = {".e", ".exo"}, .is_told = is_exodus, .elements = read_exodus},
     Format{.endings = {".vol"}, .is_told = is_netgen, .elements = read_netgen},
-    Format{.endings = {".su2"}, .is_told = is_su2, .elements = read_su2},
+    Format{.endings = {".su2"}, .is_told = begins_as_su2, .elements = read_su2},
     Format{.endings = {".foam"},
            .elements = read_poly_mesh,
            .are_cells = true,

@@ -20,10 +20,12 @@ struct Size {
 constexpr std::array kSizes = {Size{1, 1},  Size{3, 2},  Size{5, 3},  Size{9, 4},
                                Size{10, 4}, Size{12, 8}, Size{13, 6}, Size{14, 5}};
 
+constexpr char kComment = '%';
+
 class Su2Reader {
  public:
   Su2Reader(const Source& source, NumberReading reading)
-      : lines_(source, '\n', '%'), reading_(reading) {}
+      : lines_(source, '\n', kComment), reading_(reading) {}
 
   Result<ElementFile> read();
 
@@ -246,8 +248,12 @@ Result<ElementFile> Su2Reader::read() {
 
 }  // namespace
 
-bool is_su2_keyword(std::string_view token) {
-  return token.starts_with("NDIME") || token.starts_with("NZONE");
+bool is_su2(std::string_view text) {
+  const Source beginning{"", std::string(text.substr(0, 4096))};
+  Lines lines(beginning, '\n', kComment);
+  if (!lines.next()) return false;
+  const std::string_view first = lines.tokens()[0];
+  return first.starts_with("NDIME") || first.starts_with("NZONE");
 }
 
 Result<ElementFile> read_su2(const Source& source, NumberReading reading) {

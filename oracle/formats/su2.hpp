@@ -24,8 +24,8 @@
 
 namespace circumspect::formats {
 
-// Is this a key with which such a file begins?
-bool is_su2_keyword(std::string_view token);
+// Does the text begin with a key of such a file, perhaps behind a page of comments?
+bool is_su2(std::string_view text);
 
 // Points are counted from 0, and those of a further zone behind those of the zones before.
 Result<ElementFile> read_su2(const Source& source, NumberReading reading);
