@@ -209,7 +209,9 @@ bool is_geojson_object(const Beginning& file) {
   return begins_with(file.text, '{') && is_geojson(file.text);
 }
 bool begins_as_wkt(const Beginning& file) { return is_wkt(file.text); }
-bool is_stl(const Beginning& file) { return file.first_token == "solid"; }
+bool is_stl(const Beginning& file) {
+  return is_word(file.first_token, "solid") || is_binary_stl(file.text);
+}
 
 // The order is that of messages and of the help.
 constexpr std::array kFormats = {

@@ -200,6 +200,13 @@ bool is_binary(const Source& source) {
 
 }  // namespace
 
+bool is_binary_stl(std::string_view text) {
+  Bytes bytes(text, ByteOrder::kLittleEndian);
+  if (!bytes.skip(kHeader)) return false;
+  const auto count = bytes.unsigned_integer(4);
+  return count && *count > 0 && bytes.left() == *count * kTriangle;
+}
+
 Result<StlFile> read_stl_file(const Source& source, NumberReading reading) {
   if (is_binary(source)) return read_binary(source);
   return TextReader(source, reading).read();

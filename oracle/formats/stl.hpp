@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kernel/complex/simplex.hpp"
@@ -26,6 +27,9 @@
 #include "oracle/formats/element_file.hpp"
 
 namespace circumspect::formats {
+
+// Is this binary, of the size that its number of triangles tells? Its header tells nothing.
+bool is_binary_stl(std::string_view text);
 
 // STL repeats a point in every triangle that has it, and has no indices. Corners whose coordinates
 // are the same numbers become one point, which is noted; nothing that merely lies close is merged.

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/formats/element_domain.hpp"
+#include "oracle/formats/format.hpp"
 #include "oracle/formats/obj.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/reading_test.hpp"
@@ -163,6 +164,19 @@ TEST_CASE("stl in binary, even where it begins with \"solid\"") {
   CHECK(error_of(stl(binary_stl(1, binary_triangle({0, 0, 0, kNan, 0, 0, 0, kOne, 0})))) ==
         "f: expected finite coordinates of triangle 1 of 1, found NaN or an infinity at byte "
         "108");
+}
+
+TEST_CASE("stl in binary is told by its size, whatever its header says") {
+  const std::string one = binary_triangle({0, 0, 0, kThird, 0, 0, 0, kOne, 0});
+  const std::string two = "COLOR=\x7f" + binary_stl(2, one + one).substr(7);
+  CHECK(is_binary_stl(two));
+  for (std::size_t size = 0; size < two.size(); ++size) CHECK(!is_binary_stl(two.substr(0, size)));
+  CHECK(!is_binary_stl(two + one));
+  CHECK(!is_binary_stl(binary_stl(0, "")));
+  CHECK(!is_binary_stl(binary_stl(0xffffffff, one)));
+  const Format* const format = told_format(named(two), &Format::has_mesh);
+  REQUIRE(format != nullptr);
+  CHECK(format->endings.front() == ".stl");
 }
 
 TEST_CASE("ply in text: other elements and properties are read over") {
