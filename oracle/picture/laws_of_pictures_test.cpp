@@ -118,6 +118,25 @@ TEST_CASE("a simplex is around a place only if its box holds the place along eve
   }
 }
 
+TEST_CASE("a picture says how many simplices around the witness are not drawn") {
+  for (const std::size_t count : {8U, 400U, 401U}) {
+    std::vector<Point> points = {{0, 0}};
+    std::vector<Simplex> fan;
+    for (std::size_t i = 0; i <= count; ++i) {
+      points.push_back({static_cast<long>(i), static_cast<long>(count)});
+      if (i > 0) fan.push_back({0, static_cast<Vertex>(i), static_cast<Vertex>(i + 1)});
+    }
+    const std::vector<Witness> witness = {{.vertices = {0}}};
+    const Json picture = pictures(witness, listed_mesh(points, fan)).front();
+    const std::size_t drawn = picture["near"].size();
+    CHECK(picture.contains("left_out") == (drawn < count));
+    if (count == 8) CHECK(drawn == count);
+    if (drawn == count) continue;
+    CHECK(picture["left_out"] ==
+          std::to_string(count - drawn) + " simplices more around it are not drawn.");
+  }
+}
+
 TEST_CASE(
     "cells: a repeated vertex makes an edge of a triangle, and a ball without a radius is none") {
   const Mesh mesh = listed_mesh({{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
