@@ -1,4 +1,7 @@
 // Refutations, which the acceptor accepts.
+#include <algorithm>
+#include <sstream>
+
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
@@ -66,6 +69,41 @@ TEST_CASE("of points that do not span a refutation says how they lie") {
   CHECK(written({plane, {{0, 1, 2}, {2, 3, 0}}}, Claim::kDelaunay) ==
         "circumspect-refutation 2 delaunay 3 delaunay.vertex-in-ball flat\n"
         "spans 1 2 3\npads 1\n0 0 1\nbecause 1 4 -1 1 -1 1\nend\n");
+}
+
+TEST_CASE("on a line with a gap, an edge ends where no other begins, and a point lies beyond") {
+  constexpr Vertex kPoints = 6;
+  const std::vector<Vertex> order = {3, 0, 5, 1, 4, 2};  // along the line
+  std::vector<Point> points(kPoints);
+  for (long place = 0; place < kPoints; ++place) {
+    points[static_cast<std::size_t>(order[static_cast<std::size_t>(place)])] = {2 * place, -place};
+  }
+  std::size_t told = 0;
+  for (unsigned subset = 0; subset < 31; ++subset) {  // of the edges, not all
+    ExactMesh mesh{PointSet(points), {}};
+    std::vector<std::size_t> uses(kPoints);
+    for (std::size_t i = 0; i + 1 < kPoints; ++i) {
+      if ((subset >> i & 1U) == 0) continue;
+      const bool is_back = (i + subset) % 2 == 1;
+      mesh.simplices.push_back({order[is_back ? i + 1 : i], order[is_back ? i : i + 1]});
+      for (const Vertex v : mesh.simplices.back()) ++uses[static_cast<std::size_t>(v)];
+    }
+    if (std::count(uses.begin(), uses.end(), 0U) > 0) continue;
+    ++told;
+    const std::string text = written(mesh, Claim::kTriangulation);
+    CHECK(text.starts_with(
+        "circumspect-refutation 2 triangulation 2 triangulation.hull-not-convex flat\n"));
+    std::istringstream because(text.substr(text.find("because ") + 8));
+    std::size_t edge = 0, start = 0, beyond = 0;  // places are counted from 0
+    because >> edge >> start >> beyond;
+    const Simplex& simplex = mesh.simplices.at(edge - 1);
+    const Vertex end = simplex.at(1 - start);
+    CHECK(uses[static_cast<std::size_t>(end)] == 1);
+    const auto at = [&](Vertex v) { return points[static_cast<std::size_t>(v)][0]; };
+    const Rational onward = at(end) - at(simplex.at(start));
+    CHECK(sign(Rational(onward * (at(static_cast<Vertex>(beyond) - 1) - at(end)))) > 0);
+  }
+  CHECK(told == 4);
 }
 
 TEST_CASE("points on both sides of a facet of a hull") {
