@@ -17,6 +17,8 @@ ALL_TARGETS = ["all"]
 FOR_OTHER_LANGUAGES = ["circumspect_cli", "circumspect_python"]
 VERIFIED = "build/proofs/circumspect-verified"
 OTHER_LANGUAGES = {".py": python_mutant_places, ".ml": ocaml_mutant_places}
+# How far from each other the lines of a statement may be.
+LINES_OF_STATEMENT = 3
 PRELUDE = """#ifndef CIRCUMSPECT_MUTATED
 #define CIRCUMSPECT_MUTATED
 extern int circumspect_mutant;
@@ -135,6 +137,9 @@ def build(work, chosen_mutants, targets):
             return chosen_mutants
         faulty = set(faulty_lines(said, work))
         kept = [m for m in chosen_mutants if (m.file, m.line_number) not in faulty]
+        if len(kept) == len(chosen_mutants):  # a compiler may name another line of the statement
+            kept = [m for m in chosen_mutants
+                    if not any(m.file == file and abs(m.line_number - line) <= LINES_OF_STATEMENT for file, line in faulty)]
         if len(kept) == len(chosen_mutants):
             sys.exit(said[-20000:] + "\ngenerated_mutants: the sources do not compile, and that is not a mutant's fault")
         print(f"{len(chosen_mutants) - len(kept)} mutants do not compile", flush=True)
