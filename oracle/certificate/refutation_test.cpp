@@ -7,6 +7,7 @@
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/document.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/judge_exactly.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 
@@ -104,6 +105,28 @@ TEST_CASE("on a line with a gap, an edge ends where no other begins, and a point
     CHECK(sign(Rational(onward * (at(static_cast<Vertex>(beyond) - 1) - at(end)))) > 0);
   }
   CHECK(told == 4);
+}
+
+TEST_CASE("of a mesh alone the first fault that can be shown, most of full dimension only") {
+  const auto refuted = [](const PointSet& points, const std::vector<Simplex>& simplices) {
+    const ExactMesh mesh{points, simplices};
+    const Verdict verdict = check::judge_complex({points.points(), simplices}, {}, false, 20);
+    REQUIRE(!verdict.holds());
+    const auto document = document_of(mesh, verdict);
+    return document ? refuted_rule(mesh, verdict) : document.error();
+  };
+  const PointSet plane(kSquare), space({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 2}});
+  CHECK(refuted(plane, {{0, 1, 7}, {1, 2, 3}}) == "triangulation.unknown-vertex");
+  CHECK(refuted(plane, {{0, 1, 1}, {1, 2, 3}}) == "simplex.repeated-vertex");
+  CHECK(refuted(plane, {{0, 1, 2}}) == "triangulation.unused-point");
+  CHECK(refuted(plane, {{0, 1, 2}, {1, 2, 0}, {0, 2, 3}}) == "complex.duplicate-simplex");
+  CHECK(refuted(plane, {{0, 1, 2}, {0, 1, 3}}) == "complex.overlap");
+  CHECK(refuted(space, {{0, 1, 2}, {2, 3, 9}, {2, 3, 4}}) == "triangulation.unknown-vertex");
+  const std::string none =
+      "there is no refutation of this mesh: of simplices of a lower dimension, or of another than "
+      "the first, none shows ";
+  CHECK(refuted(space, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}) == none + "complex.overlap");
+  CHECK(refuted(space, {{0, 1, 2}, {0, 2, 1}, {2, 3, 4}}) == none + "complex.duplicate-simplex");
 }
 
 TEST_CASE("points on both sides of a facet of a hull") {
