@@ -265,19 +265,18 @@ tsan: deps-test
 	@cmake --build --preset tsan -j $(JOBS)
 	@ctest --preset tsan
 
-# Which lines and branches of the readers and the judges the tests run, file by file; less than 95 % of the
-# lines or 85 % of the branches of either is a failure. Branches that only an exception takes are not counted. One test limits the size of
-# files, about which libgcov writes lines of its own.
+# Which lines and arms of conditions of the kernel and the judges the tests run, folder by folder (properties/coverage.py). What limits
+# the size of files limits what is counted, too.
 coverage: deps-test
 	@cmake/packages.sh coverage
-	@$(CONFIGURE) --preset coverage -DCIRCUMSPECT_BUILD_TESTS=ON
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED) $(dir $(VERIFIED))answers
+	@$(CONFIGURE) --preset coverage -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_VERIFIED=$(VERIFIED)
 	@cmake --build --preset coverage -j $(JOBS)
-	@find build/coverage -name '*.gcda' -delete
-	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) ctest --preset coverage -j $(JOBS) -R '^(oracle|corpus|command|properties)/' \
-	  -E unfinished_file_command_test || echo "Tests failed or took too long: what they alone run is missing below." >&2
-	@for folder in formats judge; do for what in --txt "--branches --fail-under-line 95 --fail-under-branch 85"; do \
-	  gcovr --root . --object-directory build/coverage --filter "oracle/$$folder/" --exclude '.*_test\.[ch]pp' \
-	    --exclude-throw-branches --exclude-unreachable-branches $$what; done; done
+	@rm -rf build/coverage/profiles
+	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) LLVM_PROFILE_FILE="$(CURDIR)/build/coverage/profiles/%m.profraw" \
+	  ctest --preset coverage -j $(JOBS) -R '^(kernel|oracle|corpus|command|properties|proofs)/|^verified_' -E unfinished_file_command_test \
+	  || echo "Tests failed or took too long: what they alone run is missing below." >&2
+	@properties/coverage.py build/coverage
 
 BENCH := $(CONFIGURE) --preset release -B build/bench -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
 bench: deps-bench

@@ -76,7 +76,7 @@ npm                   fetches the modules for that, as package-lock.json names t
 END
       ;;
     coverage) cat <<'END'
-gcovr                 says which lines and branches the tests run
+llvm                  says which lines and arms of conditions the tests run
 END
       ;;
     mutants) cat <<'END'

@@ -32,12 +32,10 @@ if(CIRCUMSPECT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# The tests of GCC's quick build are compiled by Clang, if there is one. Not for coverage: the two
-# compilers count in different formats.
+# The tests of GCC's quick build are compiled by Clang, if there is one.
 find_program(CIRCUMSPECT_CLANG clang++ DOC "Compiles tests in less time than GCC; used when found")
 mark_as_advanced(CIRCUMSPECT_CLANG)
-if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_CLANG AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
-   AND NOT CMAKE_CXX_FLAGS MATCHES "--coverage")
+if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_CLANG AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(CIRCUMSPECT_TEST_LAUNCHER "${PROJECT_SOURCE_DIR}/cmake/by_clang.sh")
   if(CIRCUMSPECT_CCACHE)
     set(CIRCUMSPECT_TEST_LAUNCHER "${CMAKE_COMMAND}" -E env
