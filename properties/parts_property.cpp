@@ -302,6 +302,37 @@ TEST_CASE("a submerged point in a witness plane is a tie in parts as in the whol
   }
 }
 
+// All squares but one have the same diagonal. One part alone sees that the other is not the
+// canonical one.
+TEST_CASE("the other diagonal of one square is not canonical in parts as in the whole") {
+  constexpr std::int64_t kSquares = 3;  // along each axis
+  std::set<bool> seen;
+  for (std::int64_t other = 0; other <= kSquares * kSquares; ++other) {
+    CAPTURE(other);
+    ArrayMesh mesh{.dimension = 2};
+    for (std::int64_t v = 0; v < (kSquares + 1) * (kSquares + 1); ++v) {
+      mesh.coordinates.push_back(static_cast<double>(v % (kSquares + 1)));
+      mesh.coordinates.push_back(static_cast<double>(v / (kSquares + 1)));
+    }
+    for (std::int64_t square = 0; square < kSquares * kSquares; ++square) {
+      const std::int64_t a = square + square / kSquares, b = a + 1, c = b + kSquares, d = c + 1;
+      const std::vector<std::int64_t> triangles =
+          square == other ? std::vector{a, b, c, b, d, c} : std::vector{a, b, d, a, d, c};
+      mesh.simplices.insert(mesh.simplices.end(), triangles.begin(), triangles.end());
+    }
+    const std::string whole = said_by_one(Claim::kDelaunay, mesh, {});
+    CHECK(whole.find(" not-unique") != std::string::npos);
+    seen.insert(whole.find(" canonical") != std::string::npos);
+    Dice dice(static_cast<std::uint64_t>(other));
+    for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAllToOne, Way::kSomeToNone}) {
+      for (const std::size_t parts : {2, 5, 8, 11}) {
+        CHECK(said_in_turns(Claim::kDelaunay, mesh, way, dice, {}, parts) == whole);
+      }
+    }
+  }
+  CHECK(seen.size() == 2);
+}
+
 // Doubles decide nothing where one part has coarse coordinates, another one none, and the facet
 // between them is locally Delaunay or not by the last bits.
 TEST_CASE("four points nearly on one circle are told in parts as in the whole") {
