@@ -92,6 +92,9 @@ TEST_CASE("su2: zones are one mesh, each with indices of its own") {
 }
 
 TEST_CASE("su2: faults and their lines") {
+  // Lines below a key that is skipped are skipped, but not those behind the next list.
+  const std::string skipped = "NDIME= 2\nFOO= 1\n3 4\nNPOIN= 1\n0 0\n";
+  CHECK(su2_error(skipped + "3 4\n") == "f:6: expected a key, as NDIME= 3, found \"3\"");
   CHECK(su2_error("") == "f:1: expected the key NPOIN, found the end of the file");
   CHECK(su2_error("x\n") == "f:1: expected a key, as NDIME= 3, found \"x\"");
   CHECK(su2_error("NDIME= 4\n") == "f:1: expected dimension 2 or 3, found \"4\"");

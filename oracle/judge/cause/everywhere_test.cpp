@@ -184,5 +184,31 @@ TEST_CASE("causes: how near a point is to another one is seen along every axis")
   CHECK(named(lists, Claim::kTriangulation).starts_with("near-points: 1 point is in no triangle"));
 }
 
+TEST_CASE("causes: how near is near depends on the size of the mesh") {
+  for (const Rational& size : {Rational(1, 1'000'000'000), Rational(1), Rational(1'000'000'000)}) {
+    for (const bool is_near : {false, true}) {
+      Lists lists = grid<2>(5);
+      lists.points.push_back({Rational(3, 2) + Rational(is_near ? 0 : 1, 100), Rational(5, 4)});
+      if (is_near) lists.points.back() = lists.points.front() + Point{Rational(1, 10'000'000), 0};
+      for (Point& point : lists.points) {
+        for (Rational& x : point) x *= size;
+      }
+      CHECK(named(lists, Claim::kTriangulation).starts_with("near-points") == is_near);
+    }
+  }
+}
+
+TEST_CASE("causes: one simplex too many, which lies on others, is named") {
+  for (const std::size_t place : {0, 1, 2}) {
+    Lists lists = grid<2>(6);
+    const Simplex large = {7, 10, 25};
+    lists.simplices.insert(lists.simplices.begin() + static_cast<std::ptrdiff_t>(20 * place),
+                           large);
+    const std::string said = named(lists, Claim::kComplex);
+    CHECK(said.starts_with("one-simplex: all "));
+    CHECK(said.ends_with(" name the triangle 7 10 25"));
+  }
+}
+
 }  // namespace
 }  // namespace circumspect::check

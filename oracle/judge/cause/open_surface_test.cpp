@@ -145,6 +145,14 @@ TEST_CASE("causes: triangles of a surface that are turned over") {
   CHECK(named(lists, Claim::kComplex, options).starts_with("one-sided: the surface has one side"));
 }
 
+TEST_CASE("causes: whichever triangle of a surface is turned over, it is one") {
+  for (std::size_t place = 0; place < 32; ++place) {
+    Lists lists = octahedron();
+    std::swap(lists.simplices[place][0], lists.simplices[place][1]);
+    CHECK(named_as_closed(lists).starts_with("turned-over: 1 of 32 triangles is turned over"));
+  }
+}
+
 TEST_CASE("causes: points that were taken for others") {
   const Rational little(1, 1'000'000'000);
   for (const Claim claim : {Claim::kTriangulation, Claim::kDelaunay}) {
