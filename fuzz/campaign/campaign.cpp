@@ -74,12 +74,17 @@ class Campaign {
       const std::lock_guard lock(mutex_);
       end_for(error.what());
     } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
+      fail(std::current_exception());
     }
     const std::lock_guard lock(mutex_);
     --working_;
     one_ended_.notify_all();
+  }
+
+  // All runners end, and result() throws it.
+  void fail(std::exception_ptr failure) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::move(failure);
   }
 
   // One more thread is about to work, or could not be started.
@@ -115,12 +120,9 @@ class Campaign {
     if (is_tried_) result_.doubt = trial_.doubt();
     result_.seconds = seconds();
     for (const auto& [signature, number] : first_) {
-      Finding finding{signature,
-                      family_of(number),
-                      number,
-                      0,
-                      finding_folder(plan_.output, signature),
-                      cut_off_.count(signature) != 0};
+      Finding finding{signature, family_of(number), number};
+      finding.folder = finding_folder(plan_.output, signature);
+      finding.cut_off = cut_off_.count(signature) != 0;
       for (const auto& family : result_.statistics) {
         const auto found = family.second.find(signature);
         if (found != family.second.end()) finding.count += found->second;
@@ -128,10 +130,9 @@ class Campaign {
       result_.findings.push_back(std::move(finding));
     }
     const auto place = [](const Finding& finding) {
-      const auto has = [&](const char* part) {
-        return finding.signature.find(part) != std::string::npos;
-      };
-      return std::tuple(has("-flat"), has("-extreme"), finding.case_number);
+      const std::string& name = finding.signature;
+      return std::tuple(name.find("-flat") != name.npos, name.find("-extreme") != name.npos,
+                        finding.case_number);
     };
     std::sort(result_.findings.begin(), result_.findings.end(),
               [&](const Finding& a, const Finding& b) { return place(a) < place(b); });
@@ -418,24 +419,27 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
   }
   Campaign campaign(plan, std::move(*journal), stop);
   std::vector<std::thread> threads;
+  threads.reserve(runners.size());
+  // No exception may pass threads that are not joined.
   try {
     for (const auto& runner : runners) {
       campaign.expect_one(true);
       threads.emplace_back([&campaign, &runner] { campaign.work(*runner); });
     }
-  } catch (const std::system_error&) {
-    // The system allows no more threads, so the existing ones do the work.
-    campaign.expect_one(false);
-    if (threads.empty()) {
-      campaign.expect_one(true);
-      campaign.work(*runners.front());
-    }
+  } catch (const std::exception&) {
+    // The system allows no more threads, or there is no memory for one: those that exist do the
+    // work.
+    threads.empty() ? campaign.work(*runners.front()) : campaign.expect_one(false);
   }
   while (!campaign.is_over_within(kTick)) {
     if (campaign.must_stop()) {
       for (const auto& runner : runners) runner->interrupt();
     }
-    progress(campaign.progress());
+    try {
+      progress(campaign.progress());
+    } catch (...) {
+      campaign.fail(std::current_exception());
+    }
   }
   for (std::thread& thread : threads) thread.join();
   auto result = campaign.result();

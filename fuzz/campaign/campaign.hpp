@@ -60,7 +60,7 @@ struct Finding {
   std::string family;           // of the first case
   std::size_t case_number = 0;  // the first case
   std::size_t count = 0;
-  std::string folder;
+  std::string folder = {};
   bool cut_off = false;  // there was no time to make it smaller: the next call continues
 };
 
