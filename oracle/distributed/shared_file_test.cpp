@@ -2,15 +2,13 @@
 #include "oracle/distributed/shared_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/distributed/turns.hpp"
 
 namespace circumspect::distributed {
@@ -25,20 +23,12 @@ std::string some_bytes() {
 
 class Copies {
  public:
-  Copies() { std::filesystem::create_directory(folder_); }
-  ~Copies() { std::filesystem::remove_all(folder_); }
-  Copies(const Copies&) = delete;
-  Copies& operator=(const Copies&) = delete;
-
   std::string write(const std::string& bytes) {
-    const std::string path = folder_ + "/" + std::to_string(++count_);
-    std::ofstream(path, std::ios::binary) << bytes;
-    return path;
+    return folder_.write(std::to_string(++count_), bytes);
   }
 
  private:
-  std::string folder_ =
-      std::filesystem::temp_directory_path() / ("shared_file_test-" + std::to_string(getpid()));
+  formats::ScratchFolder folder_;
   int count_ = 0;
 };
 

@@ -23,7 +23,7 @@
 namespace circumspect::distributed {
 namespace {
 
-// Two megabytes: much more than what is kept in memory.
+// Two megabytes: an array that large is kept in a file.
 constexpr std::size_t kMany = std::size_t{1} << 18;
 
 std::uint64_t number(std::size_t part, std::size_t i) { return 1000 * (part + 1) + i; }

@@ -63,8 +63,8 @@ std::optional<Cause> turned_triangles(Case& of) {
     neighbours[uses[1].triangle].push_back({uses[0].triangle, is_turned});
     places += is_turned ? 1 : 0;
   });
-  // Triangles that were set apart are compared here, but not by the claim; and what is no triangle
-  // is not compared here.
+  // The claim does not compare triangles that were set apart, and only it compares simplices of
+  // other dimensions. Then the counts differ, and the walk would explain something else.
   if (places != of.count(Rule::kNotOriented)) return std::nullopt;
   const Sides sides = sides_of(neighbours);
   if (!sides.are_two) {
